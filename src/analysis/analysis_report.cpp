@@ -26,33 +26,23 @@ constexpr double MM_PER_M = 1e3;
 constexpr double UJ_PER_J = 1e6;
 constexpr double MS_PER_S = 1e3;
 
-std::string ratioText(const std::optional<double>& value)
+/// A number of the report, times `scale`.
+std::string numberText(const Json& number, const char* format, double scale = 1.0)
 {
-  return value ? fmt::format("{:.3f}", *value) : "undefined";
+  return number.is_null() ? "undefined" : fmt::format(fmt::runtime(format), scale * number.get<double>());
 }
 
-std::string velocityText(const DriftVelocity& velocity)
+std::string ratioText(const Json& ratio)
 {
-  if (!velocity.mean)
-    return "undefined";
-  const std::string error =
-      velocity.mean_stderr ? fmt::format("{:.2f}", MM_PER_M * *velocity.mean_stderr) : "undefined";
-  return fmt::format("{:+.2f} +- {}", MM_PER_M * *velocity.mean, error);
+  return numberText(ratio, "{:.3f}");
 }
 
-std::string temperatureText(const std::optional<double>& temperature)
+std::string velocityText(const Json& species)
 {
-  return temperature ? fmt::format("{:.3g}", UJ_PER_J * *temperature) : "undefined";
-}
-
-/// The number of a species' disks at the end: all, left, right and on the base; nothing if the bins were not
-/// recorded.
-std::array<std::optional<std::uint64_t>, 4> countsOf(const RunResult& result, std::size_t species)
-{
-  if (result.lastBins() == nullptr)
-    return {};
-  const SpeciesBins& bins = result.lastBins()->bins[species];
-  return {bins.counted() + bins.on_base, bins.left, bins.right, bins.on_base};
+  const std::string mean = numberText(species["mean_vx"], "{:+.2f}", MM_PER_M);
+  return species["mean_vx"].is_null()
+             ? mean
+             : mean + " +- " + numberText(species["mean_vx_stderr"], "{:.2f}", MM_PER_M);
 }
 
 /// A note whether the run is exact, or may have missed contacts.
@@ -66,16 +56,6 @@ SpeciesMeans engineMeans(const RunResult& result, std::size_t species)
 {
   return result.lastStatistics() != nullptr ? result.lastStatistics()->species[species].means
                                             : SpeciesMeans();
-}
-
-std::string countText(const std::optional<std::uint64_t>& count)
-{
-  return count ? std::to_string(*count) : "-";
-}
-
-Json countOrNull(const std::optional<std::uint64_t>& count)
-{
-  return count ? Json(*count) : Json(nullptr);
 }
 
 /// The means accumulated by the engine, if they were recorded. They include the last part of the path of a
@@ -124,7 +104,7 @@ bool isOpen(const RunResult& result)
           std::any_of(result.bins.back().bins.begin(), result.bins.back().bins.end(), something_left));
 }
 
-std::string speciesTable(const RunResult& result)
+std::string speciesTable(const RunResult& result, const Json& all)
 {
   std::size_t width = 7;
   for (const std::string& name : result.species)
@@ -136,13 +116,13 @@ std::string speciesTable(const RunResult& result)
     const std::string bins = isOpen(result) ? fmt::format(" {:>7} {:>7} {:>8}", left, right, on_base) : "";
     return fmt::format("{:<{}} {:>7}{} {:>20} {:>10}\n", name, width, disks, bins, velocity, temperature);
   };
+  const auto count = [](const Json& number) { return number.is_null() ? "-" : number.dump(); };
   std::string text = row("species", {"disks", "left", "right", "on base"}, "<V_x> [mm/s]", "T_g [uJ]");
-  for (std::size_t i = 0; i < result.species.size(); ++i)
-  {
-    const auto [disks, left, right, on_base] = countsOf(result, i);
-    text += row(result.species[i], {countText(disks), countText(left), countText(right), countText(on_base)},
-                velocityText(result.velocities[i]), temperatureText(result.granular_temperatures[i]));
-  }
+  for (const Json& species : all)
+    text += row(
+        species["name"],
+        {count(species["count"]), count(species["left"]), count(species["right"]), count(species["on_base"])},
+        velocityText(species), numberText(species["granular_temperature"], "{:.3g}", UJ_PER_J));
   return text;
 }
 
@@ -179,16 +159,20 @@ Json speciesJson(const RunResult& result)
   Json list = Json::array();
   for (std::size_t i = 0; i < result.species.size(); ++i)
   {
-    const auto [disks, left, right, on_base] = countsOf(result, i);
+    std::optional<SpeciesBins> bins;  // nothing if they were not recorded
+    if (result.lastBins() != nullptr)
+      bins = result.lastBins()->bins[i];
+    const auto count = [&bins](std::uint64_t number) { return bins ? Json(number) : Json(nullptr); };
+    const SpeciesBins counts = bins.value_or(SpeciesBins());
     Json json = {{"name", result.species[i]},
-                 {"count", countOrNull(disks)},
-                 {"mean_vx", numberOrNull(result.velocities[i].mean)},
-                 {"mean_vx_stderr", numberOrNull(result.velocities[i].mean_stderr)},
-                 {"engine_mean_vx", numberOrNull(engineMeans(result, i).mean_vx)},
-                 {"left", countOrNull(left)},
-                 {"right", countOrNull(right)},
-                 {"on_base", countOrNull(on_base)},
-                 {"granular_temperature", numberOrNull(result.granular_temperatures[i])}};
+                 {"count", count(counts.counted() + counts.on_base)},
+                 {"mean_vx", result.velocities[i].mean},
+                 {"mean_vx_stderr", result.velocities[i].mean_stderr},
+                 {"engine_mean_vx", engineMeans(result, i).mean_vx},
+                 {"left", count(counts.left)},
+                 {"right", count(counts.right)},
+                 {"on_base", count(counts.on_base)},
+                 {"granular_temperature", result.granular_temperatures[i]}};
     addMeans(json, engineMeans(result, i));
     list.push_back(std::move(json));
   }
@@ -203,13 +187,12 @@ std::string reportText(const RunResult& result)
                      shownText(result.scene_frame.scene_hash), result.scene_frame.seed,
                      shownText(result.scene_frame.version), result.start, result.end,
                      methodText(result.scene), countText(result.particle_frames, "frame")) +
-         speciesTable(result) + "\n" + segregationText(result) + contactText(result) + engineText(result) +
-         missingText(result);
+         speciesTable(result, speciesJson(result)) + "\n" + segregationText(result) + contactText(result) +
+         engineText(result) + missingText(result);
 }
 
 Json reportJson(const RunResult& result)
 {
-  const BinFrame* bins = result.lastBins();
   Json json;
   json["scene_hash"] = result.scene_frame.scene_hash;
   json["seed"] = result.scene_frame.seed;
@@ -220,23 +203,17 @@ Json reportJson(const RunResult& result)
   json["particle_frames"] = result.particle_frames;
   json["not_recorded"] = result.missing();
   json["species"] = speciesJson(result);
-  const std::vector<SpeciesBins> of_species =
-      bins != nullptr ? bins->bins : std::vector<SpeciesBins>(result.species.size());
-  addSeparation(json, of_species);
-  json["processed"] = numberOrNull(processedRatio(of_species));
-  addBinShares(json, result.species, of_species);
-  json["collisions"] = nullptr;
-  json["max_overlap"] = nullptr;
+  addBinResults(json, result.species,
+                result.lastBins() != nullptr ? result.lastBins()->bins
+                                             : std::vector<SpeciesBins>(result.species.size()));
+  for (const char* contacts : {"collisions", "max_overlap", "short_to_long"})
+    json[contacts] = nullptr;
   if (const StatisticsFrame* statistics = result.lastStatistics())
   {
-    json["collisions"] = collisionCounts(statistics->collisions);
-    if (!result.scene.base.isSawtooth())
-      json["contacts_by_face"] = contactsByFace(statistics->faces);
+    addContacts(json, result.scene, statistics->collisions, statistics->faces);
     json["max_overlap"] = statistics->max_overlap;
   }
-  json["short_to_long"] = numberOrNull(result.shortToLong());
-  for (const Observed& observed : result.observed)
-    json[observed.name] = observedResults(observed);
+  addObserved(json, result.observed);
   return json;
 }
 

@@ -14,16 +14,6 @@ namespace ratchet_sieve
 namespace
 {
 
-/// An undefined value is an empty field.
-template <typename Value>
-std::string field(const Value& value)
-{
-  if constexpr (IS_OPTIONAL<Value>)
-    return value ? fmt::format("{}", *value) : "";
-  else
-    return fmt::format("{}", value);
-}
-
 std::string unitText(const std::string& unit)
 {
   return unit.empty() ? "" : " [" + shownText(unit) + "]";
@@ -41,21 +31,37 @@ std::string headsOf()
   return text;
 }
 
-/// The fields of a struct, with a comma before each.
-template <typename Struct>
-std::string fieldsOf(const Struct& of)
+/// The values of a row, separated by commas: of a struct all its fields, of an undefined value an empty one.
+template <typename First, typename... Others>
+std::string fields(const First& first, const Others&... others)
 {
   std::string text;
-  Fields<Struct>::each([&text](const FieldInfo&, const auto& value) { text += "," + field(value); }, of);
+  if constexpr (IS_DESCRIBED<First>)
+  {
+    Fields<First>::each([&text](const FieldInfo&, const auto& value) { text += fields(value) + ','; }, first);
+    text.pop_back();
+  }
+  else if constexpr (IS_OPTIONAL<First>)
+    text = first ? fields(*first) : "";
+  else
+    text = fmt::format("{}", first);
+  ((text += "," + fields(others)), ...);
   return text;
+}
+
+/// A line of such values.
+template <typename... Values>
+std::string line(const Values&... values)
+{
+  return fields(values...) + '\n';
 }
 
 std::string runTable(const RunResult& result)
 {
-  return fmt::format("scene_hash,seed,version,open_ends,start [s],end [s]\n{},{},{},{:d},{},{}\n",
-                     shownText(result.scene_frame.scene_hash), result.scene_frame.seed,
-                     shownText(result.scene_frame.version), result.scene.boundary == Boundary::OPEN,
-                     result.start, result.end);
+  return "scene_hash,seed,version,open_ends,start [s],end [s]\n" +
+         line(shownText(result.scene_frame.scene_hash), result.scene_frame.seed,
+              shownText(result.scene_frame.version), result.scene.boundary == Boundary::OPEN ? 1 : 0,
+              result.start, result.end);
 }
 
 std::string driftTable(const RunResult& result)
@@ -63,17 +69,16 @@ std::string driftTable(const RunResult& result)
   std::string text = "time [s],species,disks,displacement [m]\n";
   for (const Drift& drift : result.drift)
     for (std::size_t i = 0; i < drift.displacements.size(); ++i)
-      text += fmt::format("{},{},{},{}\n", drift.time, result.species[i], drift.disks[i],
-                          field(drift.displacements[i]));
+      text += line(drift.time, result.species[i], drift.disks[i], drift.displacements[i]);
   return text;
 }
 
 std::string binTable(const RunResult& result)
 {
-  std::string text = "time [s],species" + headsOf<SpeciesBins>() + '\n';
+  std::string text = "time [s],species" + headsOf<SpeciesBins>() + "\n";
   for (const BinFrame& frame : result.bins)
     for (std::size_t i = 0; i < frame.bins.size(); ++i)
-      text += fmt::format("{},{}{}\n", frame.time, result.species[i], fieldsOf(frame.bins[i]));
+      text += line(frame.time, result.species[i], frame.bins[i]);
   return text;
 }
 
@@ -81,8 +86,7 @@ std::string segregationTable(const RunResult& result)
 {
   std::string text = "time [s],quality,processed,separation\n";
   for (const BinFrame& frame : result.bins)
-    text += fmt::format("{},{},{},{}\n", frame.time, field(frame.quality), field(frame.processed),
-                        field(frame.separation));
+    text += line(frame.time, frame.quality, frame.processed, frame.separation);
   return text;
 }
 
@@ -94,10 +98,9 @@ std::string driveTable(const RunResult& result)
   text += '\n';
   for (const BaseFrame& frame : result.base)
   {
-    text += fmt::format("{}", frame.time);
-    for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
-      text += fmt::format(",{},{}", frame.base.*quantity.applied, frame.base.*quantity.commanded);
-    text += '\n';
+    const DriveState& base = frame.base;
+    text += line(frame.time, base.inclination, base.commanded_inclination, base.frequency,
+                 base.commanded_frequency, base.amplitude, base.commanded_amplitude);
   }
   return text;
 }
@@ -108,9 +111,8 @@ std::string statisticsTable(const RunResult& result)
                      ",window_start [s],window_end [s],granular_temperature [J]\n";
   for (const StatisticsFrame& frame : result.statistics)
     for (std::size_t i = 0; i < frame.species.size(); ++i)
-      text +=
-          fmt::format("{},{}{},{},{},{}\n", frame.time, result.species[i], fieldsOf(frame.species[i].means),
-                      frame.window_start, frame.window_end, field(frame.species[i].granular_temperature));
+      text += line(frame.time, result.species[i], frame.species[i].means, frame.window_start,
+                   frame.window_end, frame.species[i].granular_temperature);
   return text;
 }
 
@@ -120,10 +122,9 @@ std::string contactTable(const RunResult& result)
                      ",short_to_long,window_start [s],window_end [s]" + headsOf<CollisionRates>() +
                      ",collision_rate [1/s]\n";
   for (const StatisticsFrame& frame : result.statistics)
-    text += fmt::format("{}{},{},{},{}{},{}\n", frame.time, fieldsOf(frame.collisions),
-                        field(frame.collisions.shortToLong(result.scene.base.slopeAsymmetry())),
-                        frame.window_start, frame.window_end, fieldsOf(frame.collision_rates),
-                        frame.collision_rates.total());
+    text +=
+        line(frame.time, frame.collisions, frame.collisions.shortToLong(result.scene.base.slopeAsymmetry()),
+             frame.window_start, frame.window_end, frame.collision_rates, frame.collision_rates.total());
   return text;
 }
 
@@ -131,8 +132,8 @@ std::string velocityTable(const RunResult& result)
 {
   std::string text = "species,disks,mean_vx [m/s],mean_vx_stderr [m/s]\n";
   for (std::size_t i = 0; i < result.velocities.size(); ++i)
-    text += fmt::format("{},{},{},{}\n", result.species[i], result.velocities[i].disks,
-                        field(result.velocities[i].mean), field(result.velocities[i].mean_stderr));
+    text += line(result.species[i], result.velocities[i].disks, result.velocities[i].mean,
+                 result.velocities[i].mean_stderr);
   return text;
 }
 
@@ -141,9 +142,8 @@ std::string displacementTable(const RunResult& result)
   std::string text = "time [s],species,from [m],to [m],count,density [1/m]\n";
   for (const DisplacementDistribution& distribution : result.displacement_distributions)
     for (std::size_t bin = 0; bin < distribution.counts.size(); ++bin)
-      text += fmt::format("{},{},{},{},{},{}\n", distribution.time, result.species[distribution.species],
-                          distribution.edge(bin), distribution.edge(bin + 1), distribution.counts[bin],
-                          distribution.density(bin));
+      text += line(distribution.time, result.species[distribution.species], distribution.edge(bin),
+                   distribution.edge(bin + 1), distribution.counts[bin], distribution.density(bin));
   return text;
 }
 
@@ -153,8 +153,8 @@ std::string observedTable(const RunResult& result)
   for (const Observed& observed : result.observed)
     for (const ObservedRow& row : observed.rows)
       for (const ObservedNumber& number : row.numbers)
-        text += fmt::format("{},{},{},{},{},{}\n", observed.name, row.place, row.species,
-                            shownText(number.name), shownText(number.unit), field(number.value));
+        text += line(observed.name, row.place, row.species, shownText(number.name), shownText(number.unit),
+                     number.value);
   return text;
 }
 
@@ -167,11 +167,11 @@ std::string tableOf(const Observed& observed)
       text += "," + shownText(column.name) + unitText(column.unit);
   text += '\n';
   for (const ObservedRow& row : observed.rows)
-    for (std::size_t line = 0; !row.table.empty() && line < row.table.front().values.size(); ++line)
+    for (std::size_t k = 0; !row.table.empty() && k < row.table.front().values.size(); ++k)
     {
       text += row.place + "," + row.species;
       for (const ObservedColumn& column : row.table)
-        text += "," + field(column.values.at(line));
+        text += "," + fields(column.values.at(k));
       text += '\n';
     }
   return text;

@@ -60,20 +60,6 @@ constexpr double FINEST = 1e-12;
 /// ... and absolute smallest width, far below the size of an atom [m].
 constexpr double SMALLEST_WIDTH = 1e-15;
 
-/// The common bins of all distributions.
-struct Bins
-{
-  double first_edge = 0.0;
-  double width = 1.0;
-  std::size_t count = 1;
-
-  std::size_t binOf(double value) const
-  {
-    const double bin = std::floor((value - first_edge) / width);
-    return bin > 0.0 ? static_cast<std::size_t>(std::min(bin, static_cast<double>(count - 1))) : 0;
-  }
-};
-
 /// The smallest of 1, 2, 5, 10, ... times a power of ten that is not below `width`.
 double roundedUp(double width)
 {
@@ -86,18 +72,19 @@ double roundedUp(double width)
 
 /// Round edges, and twice the number of bins of Rice's rule for the largest sample (2 n^(1/3)), because the
 /// early distributions are narrow compared to the late ones.
-Bins commonBins(double lowest, double highest, std::size_t largest_sample)
+/// @return a distribution with these bins, still empty
+DisplacementDistribution emptyBins(double lowest, double highest, std::size_t largest_sample)
 {
   const double wanted =
       std::clamp(4.0 * std::cbrt(static_cast<double>(largest_sample)), FEWEST_BINS, MOST_BINS);
   const double range = highest - lowest;
-  Bins bins;
   const double magnitude = std::max(std::abs(lowest), std::abs(highest));
-  bins.width = roundedUp(range > 0.0 ? std::max({range / wanted, FINEST * magnitude, SMALLEST_WIDTH})
-                                     : std::max(magnitude, 1e-3));
-  bins.first_edge = std::floor(lowest / bins.width) * bins.width;
-  bins.count =
-      static_cast<std::size_t>(std::max(0.0, std::floor((highest - bins.first_edge) / bins.width))) + 1;
+  DisplacementDistribution bins;
+  bins.bin_width = roundedUp(range > 0.0 ? std::max({range / wanted, FINEST * magnitude, SMALLEST_WIDTH})
+                                         : std::max(magnitude, 1e-3));
+  bins.first_edge = std::floor(lowest / bins.bin_width) * bins.bin_width;
+  bins.counts.resize(
+      static_cast<std::size_t>(std::max(0.0, std::floor((highest - bins.first_edge) / bins.bin_width))) + 1);
   return bins;
 }
 
@@ -173,19 +160,11 @@ DisplacementDistributions::DisplacementDistributions(std::size_t species_count, 
 {
 }
 
-DisplacementDistributions::Snapshot DisplacementDistributions::snapshot(const ParticleFrame& frame) const
-{
-  Snapshot snapshot;
-  snapshot.time = frame.time;
-  snapshot.displacements.resize(species_count_);
-  for (const DiskState& disk : frame.disks)
-    snapshot.displacements[disk.species].push_back(disk.displacement);
-  return snapshot;
-}
-
 void DisplacementDistributions::add(const ParticleFrame& frame)
 {
-  last_ = snapshot(frame);
+  last_ = {frame.time, std::vector<std::vector<double>>(species_count_)};
+  for (const DiskState& disk : frame.disks)
+    last_.displacements[disk.species].push_back(disk.displacement);
   if (next_ == times_.size() || frame.time < times_[next_])
     return;
   while (next_ < times_.size() && frame.time >= times_[next_])
@@ -216,17 +195,21 @@ std::vector<DisplacementDistribution> DisplacementDistributions::distributions()
   if (largest_sample == 0)
     return distributions;
 
-  const Bins bins = commonBins(lowest, highest, largest_sample);
+  const DisplacementDistribution empty = emptyBins(lowest, highest, largest_sample);
+  const double last_bin = static_cast<double>(empty.counts.size() - 1);
   for (const Snapshot& snapshot : snapshots)
     for (std::size_t species = 0; species < snapshot.displacements.size(); ++species)
     {
       if (snapshot.displacements[species].empty())
         continue;
-      DisplacementDistribution distribution{snapshot.time, species, bins.first_edge, bins.width,
-                                            std::vector<std::uint64_t>(bins.count)};
+      DisplacementDistribution& distribution = distributions.emplace_back(empty);
+      distribution.time = snapshot.time;
+      distribution.species = species;
       for (const double value : snapshot.displacements[species])
-        ++distribution.counts[bins.binOf(value)];
-      distributions.push_back(std::move(distribution));
+      {
+        const double bin = std::floor((value - empty.first_edge) / empty.bin_width);
+        ++distribution.counts[static_cast<std::size_t>(std::fmin(std::fmax(bin, 0.0), last_bin))];
+      }
     }
   return distributions;
 }

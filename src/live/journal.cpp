@@ -78,7 +78,7 @@ void Journal::lookAtProgress(const Run& run)
   said_.tenths = tenths;
   const bool open = run.simulation().scene().boundary == Boundary::OPEN;
   log_.inform(fmt::format("{:3d} %: {:.1f} s, {}", 10 * tenths, run.time(),
-                          open ? binsText(run.bins()) : driftText(run.simulation())));
+                          open ? binsText(run.now<BinFrame>()) : driftText(run.simulation())));
 }
 
 bool Journal::warn(const std::string& text)

@@ -82,10 +82,17 @@ std::unique_ptr<Run> RunControl::makeRun(const SceneDefinition& scene, std::vect
   simulation.setThreads(parameters_.threads);
   simulation.keepExits(parameters_.window);
   auto run = std::make_unique<Run>(std::move(simulation), end_time);
-  run->add(sinks_, parameters_.rates);
+  for (FrameSink* sink : sinks_)
+    run->add(*sink, parameters_.rates);
   run->observeExits(exit_observer_);
   run->open(std::move(opening));
   return run;
+}
+
+void RunControl::addSink(FrameSink& sink)
+{
+  sinks_.push_back(&sink);
+  run_->add(sink, parameters_.rates);
 }
 
 void RunControl::observeExits(ExitObserver observer)
@@ -273,8 +280,8 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
   {
     return {false, error.what()};
   }
-  run_->show(run_->particles());
-  run_->show(run_->bins());
+  run_->show(run_->now<ParticleFrame>());
+  run_->show(run_->now<BinFrame>());
   return {};
 }
 
@@ -286,7 +293,7 @@ double RunControl::commanded(Quantity quantity) const
 void RunControl::command(Quantity quantity, double value)
 {
   run_->applyCommand(setpointCommand(quantity, value));
-  run_->show(run_->base());
+  run_->show(run_->now<BaseFrame>());
 }
 
 }  // namespace ratchet_sieve

@@ -41,14 +41,6 @@ bool isLegal(const DriveState& base)
          std::all_of(COMMANDED_QUANTITIES.begin(), COMMANDED_QUANTITIES.end(),
                      [&](const CommandedQuantity& q) { return q.legal.contains(base.*q.applied); });
 }
-
-/// The base at the scene's setpoints, for a run without recorded base.
-BaseFrame baseOf(const SceneDefinition& scene)
-{
-  BaseFrame frame;
-  frame.base = driveStateAt(scene.base, 0.0);
-  return frame;
-}
 }  // namespace
 
 void RunMirror::take(const AnyFrame& any)
@@ -105,12 +97,6 @@ void RunMirror::jumpBackTo(double time)
       bases_.end());
 }
 
-bool RunMirror::fits(const ParticleFrame& frame) const
-{
-  return std::all_of(frame.disks.begin(), frame.disks.end(),
-                     [this](const DiskState& disk) { return disk.species < scene_->species.size(); });
-}
-
 std::optional<double> RunMirror::time() const
 {
   if (!scene_)
@@ -125,7 +111,7 @@ std::optional<double> RunMirror::time() const
 BaseFrame RunMirror::baseAt(double time) const
 {
   if (bases_.empty())
-    return carriedOn(*scene_, baseOf(*scene_), time);
+    return carriedOn(*scene_, {0.0, driveStateAt(scene_->base, 0.0)}, time);
   const auto later = std::upper_bound(bases_.begin(), bases_.end(), time,
                                       [](double t, const BaseFrame& base) { return t < base.time; });
   return carriedOn(*scene_, later == bases_.begin() ? *later : *std::prev(later), time);
@@ -134,7 +120,8 @@ BaseFrame RunMirror::baseAt(double time) const
 Picture RunMirror::picture() const
 {
   Picture picture{*scene_, baseAt(*time()), {}, {}, {}};
-  if (particles_ && fits(*particles_))
+  const auto is_known = [this](const DiskState& disk) { return disk.species < scene_->species.size(); };
+  if (particles_ && std::all_of(particles_->disks.begin(), particles_->disks.end(), is_known))
     picture.particles = particles_;
   if (bins_ && bins_->bins.size() == scene_->species.size())
     picture.bins = bins_;

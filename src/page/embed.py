@@ -3,11 +3,11 @@
 
   embed.py WEB_DIRECTORY OUTPUT.cpp
 
-PAGE.html names what it consists of: a line `<link href="FILE.css">` stands for a style sheet, a line
-`<script src="FILE.js">` for a script. All scripts of a page are one, and so are all style sheets; the page's content
-policy allows these two alone, by their hashes. A line `<script worker src="FILE.js">` is a part of the program of a
-worker, which the page starts from the element `worker`, and which may compile WebAssembly. `{{head}}` stands for
-head.html. `{{title}}` and `{{data}}` are where the program fills in."""
+PAGE.html stands in layout.html in place of `{{page}}`. Both name what they consist of: a line `<link href="FILE.css">`
+stands for a style sheet, a line `<script src="FILE.js">` for a script. All scripts of a page are one, and so are all
+style sheets; the page's content policy allows these two alone, by their hashes. A line `<script worker src="FILE.js">`
+is a part of the program of a worker, which the page starts from the element `worker`, and which may compile
+WebAssembly. `{{title}}` and `{{data}}` are where the program fills in."""
 import base64
 import hashlib
 import re
@@ -37,21 +37,22 @@ def hash_of(text):
 
 
 def template_of(web, name):
-    head, page = ((web / file).read_text(encoding='utf-8') for file in ('head.html', name))
-    page = page.replace('{{head}}\n', head)
+    layout, page = ((web / file).read_text(encoding='utf-8') for file in ('layout.html', name))
+    page = layout.replace('{{page}}', page)
     style, page = joined(web, page, r'^<link href="(.+?)">')
     script, page = joined(web, page, r'^<script src="(.+?)"></script>')
     worker, page = joined(web, page, r'^<script worker src="(.+?)"></script>')
-    script, worker = ("'use strict';\n" + text for text in (script, worker))
+    script, worker = (text and "'use strict';\n" + text for text in (script, worker))
     if '</script' in (script + worker).lower() or '</style' in style.lower():
         raise SystemExit(f'embed.py: {name}: a script or style sheet would end its own element')
     policy = f"default-src 'none'; script-src {hash_of(script)}; style-src {hash_of(style)}; base-uri 'none'; " \
              "form-action 'none'"
-    if '{{worker}}' in page:
+    if worker:
         policy = policy.replace('script-src', "worker-src blob:; script-src 'wasm-unsafe-eval'")
-        page = page.replace('{{worker}}', f'<script type="text/plain" id="worker">{worker}</script>')
-    page = page.replace('{{policy}}', policy).replace('{{style}}', f'<style>{style}</style>')
-    page = page.replace('{{script}}', f'<script>{script}</script>')
+        worker = f'<script type="text/plain" id="worker">{worker}</script>\n'
+    for mark, text in (('{{policy}}', policy), ('{{style}}', f'<style>{style}</style>'), ('{{worker}}\n', worker),
+                       ('{{script}}', f'<script>{script}</script>')):
+        page = page.replace(mark, text)
     head, rest = page.split('{{title}}')
     body, tail = rest.split('{{data}}')
     return head, body, tail

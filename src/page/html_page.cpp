@@ -4,17 +4,38 @@
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 #include <zlib.h>
 
+#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/page/sweep_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/scene/scalars.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
+
+using Json = nlohmann::ordered_json;
+
+Json drivePart(const BaseDefinition& base)
+{
+  Json harmonics = Json::array();
+  for (const HarmonicDefinition& harmonic : base.harmonics)
+    harmonics.push_back({{"multiple", harmonic.multiple},
+                         {"amplitude", harmonic.amplitude},
+                         {"phase", harmonic.phase},
+                         {"horizontal_amplitude", harmonic.horizontal_amplitude},
+                         {"horizontal_phase", harmonic.horizontal_phase}});
+  return {{"turns_with_base", base.drive_frame == DriveFrame::BASE},
+          {"amplitude", base.amplitude},
+          {"horizontal_amplitude", base.horizontal_amplitude},
+          {"horizontal_phase", base.horizontal_phase},
+          {"harmonics", std::move(harmonics)}};
+}
 
 /// A text as HTML.
 std::string htmlText(const std::string& text)
@@ -79,6 +100,24 @@ void writePage(const std::string& path, const PageTemplate& page, const std::str
     out << R"(<script type="text/plain" id=")" << each.id << R"(">)" << base64(each.bytes) << "</script>\n";
   out << page.tail;
   file.commit();
+}
+
+nlohmann::ordered_json machinePart(const SceneDefinition& scene)
+{
+  Json tooth = Json::array();
+  for (const OutlineCorner& corner : scene.base.outline())
+    tooth.push_back({corner.s, corner.n});
+  Json species = Json::array();
+  for (const SpeciesDefinition& each : scene.species)
+    species.push_back({{"name", each.name}, {"radius", each.radius}});
+  return {{"tooth", std::move(tooth)},
+          {"teeth", scene.base.teeth},
+          {"boundary", scalarText(scene.boundary)},
+          {"wall_height", scene.boundary == Boundary::WALLED ? Json(wallHeight(scene)) : Json(nullptr)},
+          {"gravity", scene.gravity},
+          {"duration", scene.duration},
+          {"drive", drivePart(scene.base)},
+          {"species", std::move(species)}};
 }
 
 void writeSweepPage(const std::string& path, const nlohmann::ordered_json& report)

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ratchet_sieve/core/definition.h"
+
 namespace ratchet_sieve
 {
 
@@ -44,5 +46,9 @@ std::string jsonForHtml(const nlohmann::ordered_json& json);
 /// @param data larger data, kept as base64 @throws OutputError
 void writePage(const std::string& path, const PageTemplate& page, const std::string& title,
                const nlohmann::ordered_json& json, const std::vector<PageData>& data = {});
+
+/// What the motion of the base and the outline of the machine follow from. SI units; undefined values are
+/// null.
+nlohmann::ordered_json machinePart(const SceneDefinition& scene);
 
 }  // namespace ratchet_sieve

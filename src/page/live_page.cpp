@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "html_page.h"
-#include "machine_part.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/state_archive.h"
 #include "ratchet_sieve/recording/version.h"

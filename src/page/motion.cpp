@@ -1,6 +1,7 @@
 #include "motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <unordered_map>
@@ -54,18 +55,27 @@ std::uint64_t bitsOf(double number)
   return bits;
 }
 
-/// Adds a column. @param number of a row, as an unsigned integer
-template <typename Row, typename Number>
-void addColumn(std::string& bytes, const std::vector<Row>& rows, const Number& number)
+/// Adds a column: the lowest bytes of all its numbers, then the next. @param number of a row, unsigned
+template <typename Number>
+void addColumn(std::string& bytes, std::size_t rows, const Number& number)
 {
-  const std::size_t begin = bytes.size();
-  bytes.resize(begin + sizeof(number(rows.front())) * rows.size());
-  for (std::size_t k = 0; k < rows.size(); ++k)
-  {
-    auto bits = number(rows[k]);
-    for (std::size_t place = begin + k; place < bytes.size(); place += rows.size(), bits >>= 8U)
-      bytes[place] = static_cast<char>(bits & 0xFFU);
-  }
+  for (unsigned shift = 0; shift < 8 * sizeof(number(0)); shift += 8)
+    for (std::size_t k = 0; k < rows; ++k)
+      bytes += static_cast<char>(number(k) >> shift & 0xFFU);
+}
+
+template <std::size_t Columns>
+void addColumns(std::string& bytes, const std::vector<std::array<std::int32_t, Columns>>& rows)
+{
+  for (std::size_t column = 0; column < Columns; ++column)
+    addColumn(bytes, rows.size(), [&](std::size_t k) { return zigzag(rows[k][column]); });
+}
+
+/// An angle in steps of a turn, from half a turn back on.
+std::int32_t withinATurn(std::int32_t steps)
+{
+  return static_cast<std::int32_t>(static_cast<unsigned>(steps + ANGLE_STEPS / 2) % ANGLE_STEPS) -
+         ANGLE_STEPS / 2;
 }
 
 }  // namespace
@@ -75,29 +85,6 @@ struct MotionRecord::Track
 {
   std::size_t first_frame;
   std::vector<const Disk*> states;
-};
-
-/// A state and the one before it in its track, which its first state lacks.
-struct MotionRecord::Step
-{
-  const Disk* before;
-  const Disk* now;
-  double factor;  ///< units of positions by units of velocities, in the time between
-
-  std::int32_t position(std::int32_t Disk::*position, std::int32_t Disk::*velocity) const
-  {
-    if (before == nullptr)
-      return now->*position;
-    const double mean = 0.5 * (before->*velocity + now->*velocity);
-    return difference(now->*position, before->*position + std::floor(mean * factor + 0.5));
-  }
-
-  std::int32_t angle() const
-  {
-    const auto turned =
-        static_cast<unsigned>(now->angle - (before != nullptr ? before->angle : 0) + ANGLE_STEPS / 2);
-    return static_cast<std::int32_t>(turned % ANGLE_STEPS) - ANGLE_STEPS / 2;
-  }
 };
 
 MotionRecord::MotionRecord(const SceneDefinition& scene, std::size_t most_bytes)
@@ -203,44 +190,49 @@ std::vector<MotionRecord::Track> MotionRecord::tracksOf(const std::vector<Frame>
   return tracks;
 }
 
-std::vector<MotionRecord::Step> MotionRecord::stepsOf(const std::vector<Track>& tracks,
-                                                      const std::vector<Frame>& frames)
+std::vector<MotionRecord::State> MotionRecord::statesOf(const std::vector<Track>& tracks,
+                                                        const std::vector<Frame>& frames)
 {
-  std::vector<Step> steps;
+  std::vector<State> states;
   for (const Track& track : tracks)
+  {
+    Disk before{};        // a track's first state is given by its difference from zero
+    double factor = 0.0;  // units of positions by units of velocities, in the time between
     for (std::size_t i = 0; i < track.states.size(); ++i)
     {
+      const Disk& now = *track.states[i];
       const std::size_t k = track.first_frame + i;
-      const double span = i > 0 ? frames[k].time - frames[k - 1].time : 0.0;
-      steps.push_back({i > 0 ? track.states[i - 1] : nullptr, track.states[i], span * UNITS_PER_SECOND});
+      if (i > 0)
+        factor = (frames[k].time - frames[k - 1].time) * UNITS_PER_SECOND;
+      const auto moved = [&](std::int32_t Disk::*position, std::int32_t Disk::*velocity)
+      {
+        const double mean = 0.5 * (before.*velocity + now.*velocity);
+        return difference(now.*position, before.*position + std::floor(mean * factor + 0.5));
+      };
+      states.push_back({now.vx, now.vy, moved(&Disk::x, &Disk::vx), moved(&Disk::y, &Disk::vy), now.spin,
+                        withinATurn(now.angle - before.angle)});
+      before = now;
     }
-  return steps;
+  }
+  return states;
 }
 
 EncodedMotion MotionRecord::encode(const std::vector<Frame>& frames) const
 {
-  const std::vector<Track> tracks = tracksOf(frames);
-  const std::vector<Step> steps = stepsOf(tracks, frames);
-  std::string bytes;
-  const auto add_columns = [&bytes](const auto& rows, const auto&... numbers)
+  const std::vector<Track> all = tracksOf(frames);
+  std::vector<std::array<std::int32_t, 5>> tracks;
+  for (const Track& track : all)
   {
-    const auto add = [&](const auto& number) {
-      addColumn(bytes, rows, [&](const auto& row) { return zigzag(static_cast<std::int32_t>(number(row))); });
-    };
-    (add(numbers), ...);
-  };
-  addColumn(bytes, frames, [](const Frame& frame) { return bitsOf(frame.time); });
-  add_columns(
-      tracks, [](const Track& track) { return track.states.front()->id; },
-      [](const Track& track) { return track.states.front()->species; },
-      [](const Track& track) { return track.states.front()->radius; },
-      [](const Track& track) { return track.first_frame; },
-      [](const Track& track) { return track.states.size(); });
-  add_columns(
-      steps, [](const Step& step) { return step.now->vx; }, [](const Step& step) { return step.now->vy; },
-      [](const Step& step) { return step.position(&Disk::x, &Disk::vx); },
-      [](const Step& step) { return step.position(&Disk::y, &Disk::vy); },
-      [](const Step& step) { return step.now->spin; }, [](const Step& step) { return step.angle(); });
+    const Disk& first = *track.states.front();
+    tracks.push_back({static_cast<std::int32_t>(first.id), static_cast<std::int32_t>(first.species),
+                      first.radius, static_cast<std::int32_t>(track.first_frame),
+                      static_cast<std::int32_t>(track.states.size())});
+  }
+  const std::vector<State> states = statesOf(all, frames);
+  std::string bytes;
+  addColumn(bytes, frames.size(), [&](std::size_t k) { return bitsOf(frames[k].time); });
+  addColumns(bytes, tracks);
+  addColumns(bytes, states);
   return {{{"frames", frames.size()},
            {"position_unit", position_unit_},
            {"velocity_unit", velocity_unit_},
@@ -249,7 +241,7 @@ EncodedMotion MotionRecord::encode(const std::vector<Frame>& frames) const
            {"angle_steps", ANGLE_STEPS},
            {"radius_unit", radius_unit_},
            {"tracks", tracks.size()},
-           {"states", steps.size()}},
+           {"states", states.size()}},
           deflated(bytes)};
 }
 

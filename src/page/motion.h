@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -66,7 +67,7 @@ private:
     std::vector<Disk> disks;
   };
   struct Track;
-  struct Step;
+  using State = std::array<std::int32_t, 6>;  ///< a row of the states' columns
   struct Thinning
   {
     std::size_t every = 1;
@@ -77,7 +78,7 @@ private:
   void thin(std::vector<Frame>& frames, std::size_t factor, Thinning& thinning) const;
   EncodedMotion encode(const std::vector<Frame>& frames) const;
   static std::vector<Track> tracksOf(const std::vector<Frame>& frames);
-  static std::vector<Step> stepsOf(const std::vector<Track>& tracks, const std::vector<Frame>& frames);
+  static std::vector<State> statesOf(const std::vector<Track>& tracks, const std::vector<Frame>& frames);
 
   const SceneDefinition& scene_;
   double position_unit_;  ///< [m]

@@ -7,18 +7,14 @@
 #include <fmt/format.h>
 
 #include "html_page.h"
-#include "machine_part.h"
 #include "motion.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/plan.h"
-#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/recording/summary.h"
-#include "ratchet_sieve/scene/scalars.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
@@ -75,45 +71,30 @@ Json driveSeries(const RunResult& result)
       series[std::string("commanded_") + quantity.name].push_back(frame.base.*quantity.commanded);
     }
   }
-  series["recorded"] = !result.base.empty();
   return series;
-}
-
-/// Of a bin, of a species.
-void addShares(Json& series, const char* bin, const BinShares& shares)
-{
-  for (const auto& [by, share] : {std::pair{"number", shares.number}, std::pair{"mass", shares.mass}})
-  {
-    series["purity"][bin][by].push_back(numberOrNull(share.purity));
-    series["recovery"][bin][by].push_back(numberOrNull(share.recovery));
-  }
 }
 
 Json binSeries(const RunResult& result)
 {
-  Json series = {{"time", Json::array()}, {"species", Json::array()}, {"every", 1}};
+  Json series = {{"time", Json::array()}, {"species", Json::array()}};
   if (result.bins.empty())
     return series;
   const std::size_t last = result.bins.size() - 1;
   const std::size_t every = last / MOST_ROWS + 1;
-  series["every"] = every;
   for (std::size_t k = 0; k <= last; ++k)
   {
     if (k % every != 0 && k != last)
       continue;
     const BinFrame& frame = result.bins[k];
     series["time"].push_back(frame.time);
-    series["quality"].push_back(numberOrNull(frame.quality));
-    series["processed"].push_back(numberOrNull(frame.processed));
-    const std::vector<SpeciesShares> shares = binShares(frame.bins);
+    series["quality"].push_back(frame.quality);
+    series["processed"].push_back(frame.processed);
     for (std::size_t i = 0; i < frame.bins.size(); ++i)
     {
       Json& of_species = series["species"][i];
       of_species["left"].push_back(frame.bins[i].left);
       of_species["right"].push_back(frame.bins[i].right);
       of_species["on_base"].push_back(frame.bins[i].on_base);
-      addShares(of_species, "left", shares[i].left);
-      addShares(of_species, "right", shares[i].right);
     }
   }
   return series;
@@ -129,8 +110,8 @@ Json velocitySeries(const RunResult& result)
     for (std::size_t i = 0; i < frame.species.size(); ++i)
     {
       const SpeciesMeans& means = frame.species[i].means;
-      series["species"][i]["mean_vx"].push_back(numberOrNull(means.mean_vx));
-      series["species"][i]["mean_vx_stderr"].push_back(numberOrNull(means.mean_vx_stderr));
+      series["species"][i]["mean_vx"].push_back(means.mean_vx);
+      series["species"][i]["mean_vx_stderr"].push_back(means.mean_vx_stderr);
     }
   }
   return series;
@@ -162,13 +143,6 @@ std::string commandText(const CommandFrame& command, const SceneDefinition& scen
     default:
       return "unknown command";
   }
-}
-
-/// Columns over time: `drive`, `bins`, `velocities`. Rows between which nothing changes are left out.
-Json seriesPart(const RunResult& result)
-{
-  return {
-      {"drive", driveSeries(result)}, {"bins", binSeries(result)}, {"velocities", velocitySeries(result)}};
 }
 
 /// Each command as its time and a text.
@@ -255,7 +229,8 @@ void RunPage::write(const std::string& path, const std::string& title,
   json["commands"] = commandsPart(page.commands, scene);
   json["commands_taken"] = page.commands_taken;
 
-  const std::string series = deflated(jsonForHtml(seriesPart(result)));
+  const std::string series = deflated(jsonForHtml(
+      {{"drive", driveSeries(result)}, {"bins", binSeries(result)}, {"velocities", velocitySeries(result)}}));
   const std::size_t rest =
       AROUND_DATA + lengthOf(RUN_TEMPLATE) + jsonForHtml(json).size() + inBase64(series.size());
   const std::size_t for_motion = page.size > rest ? (page.size - rest) / 4 * 3 : 0;

@@ -188,15 +188,13 @@ std::string unknownErrorText(const Simulation& simulation)
 
 LookTimes::LookTimes(const Simulation& simulation) : simulation_(simulation), blocks_(FIRST_LOOK)
 {
-  next_ = simulation.blockEnd(blocks_);
-  while (next_ < simulation.time())
+  while (next() < simulation.time())
     pass();
 }
 
 void LookTimes::pass()
 {
   blocks_ += (blocks_ + BLOCKS_PER_MORE - 1) / BLOCKS_PER_MORE;
-  next_ = simulation_.blockEnd(blocks_);
 }
 
 }  // namespace ratchet_sieve

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -124,13 +125,7 @@ struct Share
 };
 
 /// Distances of the ends of Wilson's interval below and above a proportion.
-struct Margins
-{
-  double below;
-  double above;
-};
-
-Margins wilson(const Share& share, double z)
+std::pair<double, double> wilson(const Share& share, double z)
 {
   const double n = share.counted;
   const double centre = (share.left + z * z / (2.0 * n)) / (1.0 + z * z / n);
@@ -143,9 +138,9 @@ Margins wilson(const Share& share, double z)
 double countedHalfWidth(const Share& a, const Share& b, double confidence)
 {
   const double z = halfWidthOver(confidence, 0);
-  const Margins of_a = wilson(a, z);
-  const Margins of_b = wilson(b, z);
-  return std::max(std::hypot(of_a.below, of_b.above), std::hypot(of_a.above, of_b.below));
+  const auto [below_a, above_a] = wilson(a, z);
+  const auto [below_b, above_b] = wilson(b, z);
+  return std::max(std::hypot(below_a, above_b), std::hypot(above_a, below_b));
 }
 
 /// The difference of the fractions per block, relative to the overall one.

@@ -1,9 +1,10 @@
 #include "ratchet_sieve/recording/frames.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/version.h"
@@ -47,18 +48,15 @@ Observed observedSizeClasses(const Simulation& simulation)
 void requireCount(const std::vector<double>& values, std::size_t count)
 {
   if (values.size() != count)
-    throw std::invalid_argument("a command has " + std::to_string(values.size()) + " values, not " +
-                                std::to_string(count));
+    throw std::invalid_argument(fmt::format("a command has {} values, not {}", values.size(), count));
 }
 
 /// A NaN is not within bounds.
 void requireWithin(double value, const Interval& allowed)
 {
-  if (allowed.contains(value))
-    return;
-  std::ostringstream text;
-  text << "a command has the value " << value << ": must be from " << allowed.min << " to " << allowed.max;
-  throw std::invalid_argument(text.str());
+  if (!allowed.contains(value))
+    throw std::invalid_argument(fmt::format("a command has the value {:g}: must be from {:g} to {:g}", value,
+                                            allowed.min, allowed.max));
 }
 
 SlewRates slewRatesOf(const std::vector<double>& values)

@@ -128,18 +128,14 @@ private:
     {
       audit();
       ++audits_;
-      if (mayEndChoked() && !chokeText(simulation_).empty())
+      const SceneDefinition& scene = simulation_.scene();
+      if (scene.feed.on_choke == ChokeAction::STOP && simulation_.time() < scene.duration &&
+          !chokeText(simulation_).empty())
         outcome_.end = RunEnd::CHOKED;
     }
     run_.takeDue();
     if (watchers_.progress)
       watchers_.progress(simulation_);
-  }
-
-  bool mayEndChoked() const
-  {
-    const SceneDefinition& scene = simulation_.scene();
-    return scene.feed.on_choke == ChokeAction::STOP && simulation_.time() < scene.duration;
   }
 
   /// Whether the run has reached the accuracy that its scene requests.

@@ -53,24 +53,12 @@ std::string firstDifference(const std::string& name, const T& recorded, const T&
     return fmt::format("{} was {}, is {}", name, recorded, now);
 }
 
-/// Fields that depend on the wall clock or on audits are not compared.
-StatisticsFrame comparable(StatisticsFrame frame)
+/// The recorded frame without what is not compared.
+template <typename Frame>
+Frame comparable(Frame frame)
 {
-  frame.real_time_factor = 0.0;
-  frame.max_overlap = 0.0;
-  return frame;
-}
-
-/// An earlier bag has no window.
-BinFrame comparable(BinFrame frame, const BinFrame& recorded)
-{
-  if (recorded.window_left.empty())
-  {
-    frame.window_start = 0.0;
-    frame.window_left.clear();
-    frame.window_right.clear();
-    frame.window_separation.reset();
-  }
+  if constexpr (std::is_same_v<Frame, StatisticsFrame>)
+    frame.real_time_factor = frame.max_overlap = 0.0;  // of the wall clock, of audits
   return frame;
 }
 
@@ -95,12 +83,6 @@ StatisticsFrame withoutWindow(StatisticsFrame frame)
 Resimulation::Resimulation(std::function<void(const Simulation&)> progress) : progress_(std::move(progress))
 {
 }
-Resimulation::~Resimulation() = default;
-
-bool Resimulation::Instant::empty() const
-{
-  return std::apply([](const auto&... kind) { return (kind.empty() && ...); }, frames) && commands.empty();
-}
 
 double Resimulation::time() const
 {
@@ -118,8 +100,12 @@ void Resimulation::take(const AnyFrame& any)
         else
         {
           comeTo(frame.time);
-          if (!difference_)
-            instant_.of<Frame>().push_back(frame);
+          if (difference_)
+            return;
+          if constexpr (std::is_same_v<Frame, CommandFrame>)
+            commands_then_.push_back(frame);
+          else
+            recorded_.emplace_back(comparable(frame));
         }
       });
 }
@@ -156,10 +142,10 @@ void Resimulation::comeTo(double time)
 {
   if (!simulation_)
     throw std::invalid_argument("does not begin with a scene");
-  if (time == instant_.time)
+  if (time == instant_)
     return;
   compareInstant();
-  instant_.time = time;
+  instant_ = time;
 }
 
 void Resimulation::finish()
@@ -176,89 +162,77 @@ void Resimulation::finish()
 
 void Resimulation::compareInstant()
 {
-  if (difference_ || instant_.empty())
+  if (difference_ || (recorded_.empty() && commands_then_.empty()))
     return;
   observePeriods();
   // If it stalls, the recorded run stalled as well, or the times differ.
-  run_->advanceTo(instant_.time);
+  run_->advanceTo(instant_);
   compareAsThingsAre();
-  for (const CommandFrame& command : std::exchange(instant_.commands, {}))
+  for (const CommandFrame& command : std::exchange(commands_then_, {}))
   {
     requireLegal(command);
     run_->applyCommand(command);
     ++commands_;
     compareAsThingsAre();
   }
-  if (!instant_.empty())
+  if (!recorded_.empty())
     difference_ = describeDifference();
   if (progress_)
     progress_(*simulation_);
 }
 
+/// The frame of a kind now, as it would be recorded.
 template <typename Frame>
-void Resimulation::dropSame(std::vector<Frame>& frames, const Frame& now)
-{
-  const auto end = std::remove_if(frames.begin(), frames.end(),
-                                  [&](const Frame& recorded) { return sameBits(recorded, now); });
-  frames_ += static_cast<std::uint64_t>(frames.end() - end);
-  frames.erase(end, frames.end());
-}
-
-template <typename Frame>
-Frame Resimulation::now(const Frame& recorded) const
+Frame Resimulation::now(const Frame& recorded)
 {
   if constexpr (std::is_same_v<Frame, BinFrame>)
-    return comparable(makeBinFrame(*simulation_, recorded.window_start), recorded);
+  {
+    BinFrame frame = makeBinFrame(*simulation_, recorded.window_start);
+    if (recorded.window_left.empty())  // an earlier bag has no window
+    {
+      frame.window_start = 0.0;
+      frame.window_left.clear();
+      frame.window_right.clear();
+      frame.window_separation.reset();
+    }
+    return frame;
+  }
   else if constexpr (std::is_same_v<Frame, StatisticsFrame>)
-    return comparable(makeStatisticsFrame(*simulation_, window_));
+  {
+    // Earlier periods are those of frames that were taken out of the recording.
+    for (const PeriodRecord& period : std::exchange(periods_, {}))
+      if (period.start >= recorded.window_start)
+        window_.take(period);
+    window_.moveTo(*simulation_);
+    const StatisticsFrame frame = comparable(makeStatisticsFrame(*simulation_, window_));
+    const bool begins_unseen = recorded.window_start < scene_->time || !simulation_->swings() ||
+                               (hasNoWindow(recorded) && hasNoWindow(frame));
+    return begins_unseen && sameBits(withoutWindow(recorded), withoutWindow(frame)) ? recorded : frame;
+  }
   else
     return makeFrame<Frame>(*simulation_, window_);
 }
 
 void Resimulation::compareAsThingsAre()
 {
-  if (std::vector<StatisticsFrame>& statistics = instant_.of<StatisticsFrame>(); !statistics.empty())
-  {
-    // Earlier periods are those of frames that were taken out of the recording.
-    for (const PeriodRecord& period : std::exchange(periods_, {}))
-      if (period.start >= statistics.front().window_start)
-        window_.take(period);
-    window_.moveTo(*simulation_);
-    const StatisticsFrame now = this->now(statistics.front());
-    for (StatisticsFrame& recorded : statistics)
-    {
-      recorded = comparable(recorded);
-      const bool begins_unseen = recorded.window_start < scene_->time || !simulation_->swings() ||
-                                 (hasNoWindow(recorded) && hasNoWindow(now));
-      if (begins_unseen && sameBits(withoutWindow(recorded), withoutWindow(now)))
-        recorded = now;
-    }
-  }
-  forEachSampledType(
-      [this](auto type)
-      {
-        using Frame = typename decltype(type)::Frame;
-        if (std::vector<Frame>& recorded = instant_.of<Frame>(); !recorded.empty())
-          dropSame(recorded, now(recorded.front()));
-      });
+  const auto is_same = [this](const auto& frame) { return sameBits(frame, now(frame)); };
+  const auto end = std::remove_if(recorded_.begin(), recorded_.end(),
+                                  [&](const Recorded& frame) { return std::visit(is_same, frame); });
+  frames_ += static_cast<std::uint64_t>(recorded_.end() - end);
+  recorded_.erase(end, recorded_.end());
 }
 
 std::string Resimulation::describeDifference()
 {
-  if (simulation_->stalled() && simulation_->time() < instant_.time)
+  if (simulation_->stalled() && simulation_->time() < instant_)
     return fmt::format("at {:.17g} s the run stopped: {}", simulation_->time(), simulation_->collapseText());
-  std::string text;
-  forEachSampledType(
-      [&](auto type)
+  return std::visit(
+      [this](const auto& frame)
       {
-        using Frame = typename decltype(type)::Frame;
-        const std::vector<Frame>& recorded = instant_.of<Frame>();
-        if (text.empty() && !recorded.empty())
-          text = fmt::format("at {:.17g} s the frames of {} differ: {}", instant_.time,
-                             describe(kindOf<Frame>()).name,
-                             firstDifference("", recorded.front(), now(recorded.front())));
-      });
-  return text;
+        return fmt::format("at {:.17g} s the frames of {} differ: {}", instant_,
+                           describe(AnyFrame(frame).kind()).name, firstDifference("", frame, now(frame)));
+      },
+      recorded_.front());
 }
 
 }  // namespace ratchet_sieve

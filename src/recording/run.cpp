@@ -8,135 +8,12 @@
 namespace ratchet_sieve
 {
 
-FrameSampler::FrameSampler(const FrameRates& rates, double start_time, WallClock wall_clock)
-    : start_time_(start_time), wall_clock_(std::move(wall_clock)), last_statistics_wall_(wall_clock_())
-{
-  forEachSampledType(
-      [&](auto type)
-      {
-        using Frame = typename decltype(type)::Frame;
-        stream<Frame>().rate = rates.*describe(kindOf<Frame>()).rate;
-      });
-}
-
-void FrameSampler::setUnderWay(bool under_way)
-{
-  if (under_way && stood_since_)
-    last_statistics_wall_ += wall_clock_() - *stood_since_;
-  if (!under_way)
-    stood_since_ = wallTime();
-  else
-    stood_since_.reset();
-}
-
-std::chrono::steady_clock::time_point FrameSampler::wallTime() const
-{
-  return stood_since_ ? *stood_since_ : wall_clock_();
-}
-
-double FrameSampler::dueTime(const Stream& stream) const
-{
-  if (stream.next_index == 0)
-    return start_time_;
-  if (stream.rate <= 0.0)
-    return std::numeric_limits<double>::infinity();
-  return start_time_ + static_cast<double>(stream.next_index) / stream.rate;
-}
-
-double FrameSampler::nextTime() const
-{
-  double next = std::numeric_limits<double>::infinity();
-  for (const FrameKindInfo& info : FRAME_LIST)
-    if (info.rate != nullptr)
-      next = std::min(next, dueTime(streams_[static_cast<std::size_t>(info.kind)]));
-  return next;
-}
-
-bool FrameSampler::passIfDue(Stream& stream, double time) const
-{
-  if (dueTime(stream) > time)
-    return false;
-  // A run may be resumed long after start_time_: skip the missed frames at once.
-  const double missed = (time - start_time_) * std::max(stream.rate, 0.0) - 1.0;
-  if (missed > static_cast<double>(stream.next_index))
-    stream.next_index = static_cast<std::uint64_t>(missed);
-  while (dueTime(stream) <= time)
-    ++stream.next_index;
-  stream.last_time = time;
-  return true;
-}
-
-double FrameSampler::realTimeFactorAt(double time)
-{
-  const auto now = wallTime();
-  const double wall_seconds = std::chrono::duration<double>(now - last_statistics_wall_).count();
-  const bool measured = last_statistics_ && time > *last_statistics_ && wall_seconds > 0.0;
-  const double factor = measured ? (time - *last_statistics_) / wall_seconds : 0.0;
-  last_statistics_ = time;
-  last_statistics_wall_ = now;
-  return factor;
-}
-
-template <typename Frame>
-void FrameSampler::take(const Simulation& simulation, FrameSink& sink)
-{
-  // Also for an unwanted frame, so that later windows do not depend on the subscribers.
-  if constexpr (std::is_same_v<Frame, StatisticsFrame>)
-    window_.moveTo(simulation);
-  if (!hasFrames<Frame>(simulation.scene()))
-  {
-    stream<Frame>().rate = 0.0;  // the run need not stop for it
-    return;
-  }
-  if (!sink.wants(kindOf<Frame>()))
-    return;
-  if constexpr (std::is_same_v<Frame, ParticleFrame>)
-  {
-    makeParticleFrame(simulation, particle_frame_);
-    sink.take(particle_frame_);
-  }
-  else
-  {
-    Frame frame = makeFrame<Frame>(simulation, window_);
-    if constexpr (std::is_same_v<Frame, StatisticsFrame>)
-      frame.real_time_factor = realTimeFactorAt(frame.time);
-    sink.take(frame);
-  }
-}
-
-void FrameSampler::takeDue(const Simulation& simulation, FrameSink& sink)
-{
-  if (!scene_taken_)
-    sink.take(makeSceneFrame(simulation));
-  scene_taken_ = true;
-  forEachSampledType(
-      [&](auto type)
-      {
-        using Frame = typename decltype(type)::Frame;
-        if (passIfDue(stream<Frame>(), simulation.time()))
-          take<Frame>(simulation, sink);
-      });
-}
-
-void FrameSampler::takeLast(const Simulation& simulation, FrameSink& sink)
-{
-  takeDue(simulation, sink);
-  forEachSampledType(
-      [&](auto type)
-      {
-        using Frame = typename decltype(type)::Frame;
-        if (stream<Frame>().last_time != simulation.time())
-          take<Frame>(simulation, sink);
-        stream<Frame>().last_time = simulation.time();
-      });
-}
-
-Run::Run(Simulation& simulation, double end_time, FrameSampler::WallClock wall_clock)
+Run::Run(Simulation& simulation, double end_time, WallClock wall_clock)
     : simulation_(simulation), end_time_(end_time), wall_clock_(std::move(wall_clock))
 {
 }
 
-Run::Run(Simulation&& simulation, double end_time, FrameSampler::WallClock wall_clock)
+Run::Run(Simulation&& simulation, double end_time, WallClock wall_clock)
     : kept_(std::make_unique<Simulation>(std::move(simulation))),
       simulation_(*kept_),
       end_time_(end_time),
@@ -152,8 +29,14 @@ Run::~Run()
 
 void Run::add(FrameSink& sink, const FrameRates& rates)
 {
-  streams_.push_back({sink, {rates, simulation_.startTime(), wall_clock_}});
-  streams_.back().sampler.setUnderWay(under_way_);
+  Stream& stream = streams_.emplace_back(Stream{sink});
+  forEachSampledType(
+      [&](auto type)
+      {
+        using Frame = typename decltype(type)::Frame;
+        if (hasFrames<Frame>(simulation_.scene()))
+          stream.of<Frame>().rate = rates.*describe(kindOf<Frame>()).rate;
+      });
 }
 
 void Run::open(std::vector<CommandFrame> commands)
@@ -168,17 +51,95 @@ void Run::open(std::vector<CommandFrame> commands)
 
 void Run::setUnderWay(bool under_way)
 {
-  under_way_ = under_way;
-  for (Stream& stream : streams_)
-    stream.sampler.setUnderWay(under_way);
+  if (under_way && stood_since_)
+    stood_ += wall_clock_() - *std::exchange(stood_since_, std::nullopt);
+  else if (!under_way && !stood_since_)
+    stood_since_ = wall_clock_();
+}
+
+/// Without all pauses.
+Run::Clock::time_point Run::wallTime() const
+{
+  return (stood_since_ ? *stood_since_ : wall_clock_()) - stood_;
+}
+
+double Run::dueTime(const Series& series) const
+{
+  if (series.next_index == 0)
+    return startTime();
+  if (series.rate <= 0.0)
+    return std::numeric_limits<double>::infinity();
+  return startTime() + static_cast<double>(series.next_index) / series.rate;
 }
 
 double Run::nextTime() const
 {
   double next = end_time_;
   for (const Stream& stream : streams_)
-    next = std::min(next, stream.sampler.nextTime());
+    for (const FrameKindInfo& info : FRAME_LIST)
+      if (info.rate != nullptr)
+        next = std::min(next, dueTime(stream.series[static_cast<std::size_t>(info.kind)]));
   return next;
+}
+
+bool Run::passIfDue(Series& series) const
+{
+  if (dueTime(series) > time())
+    return false;
+  // A run may be resumed long after startTime(): skip the missed frames at once.
+  const double missed = (time() - startTime()) * std::max(series.rate, 0.0) - 1.0;
+  if (missed > static_cast<double>(series.next_index))
+    series.next_index = static_cast<std::uint64_t>(missed);
+  while (dueTime(series) <= time())
+    ++series.next_index;
+  series.last_time = time();
+  return true;
+}
+
+double Run::realTimeFactor(Stream& stream)
+{
+  const Clock::time_point now = wallTime();
+  const double wall_seconds = std::chrono::duration<double>(now - stream.last_statistics_wall).count();
+  const bool measured = stream.last_statistics && time() > *stream.last_statistics && wall_seconds > 0.0;
+  const double factor = measured ? (time() - *stream.last_statistics) / wall_seconds : 0.0;
+  stream.last_statistics = time();
+  stream.last_statistics_wall = now;
+  return factor;
+}
+
+template <typename Frame>
+void Run::take(Stream& stream)
+{
+  // Also for an unwanted frame, so that later windows do not depend on the subscribers.
+  if constexpr (std::is_same_v<Frame, StatisticsFrame>)
+    stream.window.moveTo(simulation_);
+  if (!hasFrames<Frame>(simulation_.scene()) || !stream.sink.wants(kindOf<Frame>()))
+    return;
+  if constexpr (std::is_same_v<Frame, ParticleFrame>)
+  {
+    makeParticleFrame(simulation_, particle_frame_);
+    stream.sink.take(particle_frame_);
+  }
+  else
+  {
+    Frame frame = makeFrame<Frame>(simulation_, stream.window);
+    if constexpr (std::is_same_v<Frame, StatisticsFrame>)
+      frame.real_time_factor = realTimeFactor(stream);
+    stream.sink.take(frame);
+  }
+}
+
+void Run::takeDue(Stream& stream)
+{
+  if (!std::exchange(stream.scene_taken, true))
+    stream.sink.take(makeSceneFrame(simulation_));
+  forEachSampledType(
+      [&](auto type)
+      {
+        using Frame = typename decltype(type)::Frame;
+        if (passIfDue(stream.of<Frame>()))
+          take<Frame>(stream);
+      });
 }
 
 bool Run::statisticsWanted() const
@@ -198,12 +159,12 @@ void Run::observePeriods()
   if (!observe)
     return simulation_.observePeriods({});
   for (Stream& stream : streams_)
-    stream.sampler.restartWindow(simulation_);
+    stream.window.restart(simulation_);
   simulation_.observePeriods(
       [this](const PeriodRecord& period)
       {
         for (Stream& stream : streams_)
-          stream.sampler.take(period);
+          stream.window.take(period);
       });
 }
 
@@ -224,7 +185,7 @@ void Run::advanceTo(double time)
 void Run::takeDue()
 {
   for (Stream& stream : streams_)
-    stream.sampler.takeDue(simulation_, stream.sink);
+    takeDue(stream);
   for (const CommandFrame& command : std::exchange(opening_, {}))
     show(command);
 }
@@ -232,7 +193,17 @@ void Run::takeDue()
 void Run::takeAll()
 {
   for (Stream& stream : streams_)
-    stream.sampler.takeLast(simulation_, stream.sink);
+  {
+    takeDue(stream);
+    forEachSampledType(
+        [&](auto type)
+        {
+          using Frame = typename decltype(type)::Frame;
+          if (stream.of<Frame>().last_time != time())
+            take<Frame>(stream);
+          stream.of<Frame>().last_time = time();
+        });
+  }
 }
 
 void Run::show(const AnyFrame& frame)
@@ -248,13 +219,13 @@ void Run::applyCommand(CommandFrame command)
   show(command);
 }
 
-StatisticsFrame Run::statistics() const
+StatisticsWindow Run::presentWindow() const
 {
   StatisticsWindow window;
   if (periods_observed_ && !streams_.empty())
-    window = streams_.front().sampler.window();
+    window = streams_.front().window;
   window.moveTo(simulation_);
-  return makeStatisticsFrame(simulation_, window);
+  return window;
 }
 
 }  // namespace ratchet_sieve

@@ -30,7 +30,10 @@ void StatisticsWindow::moveTo(const Simulation& simulation)
   const double now = simulation.time();
   const CollisionCounts& collisions = simulation.collisions();
   if (!last_time_)
-    begin(now, simulation.scene().species.size());
+  {
+    last_time_ = shown_.start = shown_.end = now;
+    granular_temperatures_.resize(simulation.scene().species.size());
+  }
   if (ended_)
   {
     shown_ = std::move(*std::exchange(ended_, std::nullopt));
@@ -45,12 +48,6 @@ void StatisticsWindow::moveTo(const Simulation& simulation)
   }
   last_time_ = now;
   last_collisions_ = collisions;
-}
-
-void StatisticsWindow::begin(double time, std::size_t species)
-{
-  last_time_ = shown_.start = shown_.end = time;
-  granular_temperatures_.resize(species);
 }
 
 CollisionRates StatisticsWindow::collisionRates() const

@@ -31,12 +31,12 @@ void addSizeClasses(Json& species, std::size_t index, const Simulation& simulati
                     {"count", bins.back().counted() + bins.back().on_base},
                     {"left", bins.back().left},
                     {"right", bins.back().right},
-                    {"mean_vx", numberOrNull(means[k].mean_vx)},
-                    {"mean_vx_stderr", numberOrNull(means[k].mean_vx_stderr)}});
+                    {"mean_vx", means[k].mean_vx},
+                    {"mean_vx_stderr", means[k].mean_vx_stderr}});
   }
   if (list.empty())
     return;
-  species["size_quality"] = numberOrNull(bestSeparation(bins).quality());
+  species["size_quality"] = bestSeparation(bins).quality();
   species["size_classes"] = std::move(list);
 }
 
@@ -66,17 +66,17 @@ Json pairResults(const Simulation& simulation)
   {
     const auto& species = simulation.scene().species;
     list.push_back({{"species", {species[pair.first].name, species[pair.second].name}},
-                    {"quality", numberOrNull(pair.quality())},
-                    {"separation", numberOrNull(pair.separation)},
-                    {"separation_by_mass", numberOrNull(pair.by_mass)}});
+                    {"quality", pair.quality()},
+                    {"separation", pair.separation},
+                    {"separation_by_mass", pair.by_mass}});
   }
   return list;
 }
 
 Json estimateOrNull(const std::optional<Estimate>& estimate)
 {
-  return {{"value", estimate ? Json(estimate->value) : Json(nullptr)},
-          {"half_width", estimate ? Json(estimate->half_width) : Json(nullptr)}};
+  return estimate ? Json{{"value", estimate->value}, {"half_width", estimate->half_width}}
+                  : Json{{"value", nullptr}, {"half_width", nullptr}};
 }
 
 Json certaintyParts(const Simulation& simulation)
@@ -84,9 +84,9 @@ Json certaintyParts(const Simulation& simulation)
   const Certainty certainty = certaintyOf(simulation);
   const SceneDefinition& scene = simulation.scene();
   Json json;
-  json["reached"] = certainty.reached() ? Json(*certainty.reached()) : Json(nullptr);
+  json["reached"] = certainty.reached();
   json["confidence"] = scene.accuracy.confidence;
-  json["transient"] = numberOrNull(certainty.means.transient);
+  json["transient"] = certainty.means.transient;
   json["mean_vx"] = Json::array();
   for (std::size_t s = 0; s < scene.species.size(); ++s)
   {
@@ -107,23 +107,21 @@ Json certaintyParts(const Simulation& simulation)
 
 }  // namespace
 
-Json observedResults(const Observed& observed)
+void addObserved(Json& json, const std::vector<Observed>& all)
 {
-  Json json;
-  for (const ObservedRow& row : observed.rows)
+  for (const Observed& observed : all)
   {
-    Json of_row = {{"name", row.species}};
-    for (const ObservedNumber& number : row.numbers)
-      of_row[number.name] = numberOrNull(number.value);
-    for (const ObservedColumn& column : row.table)
+    Json& rows = json[observed.name];
+    for (const ObservedRow& row : observed.rows)
     {
-      Json& values = of_row["table"][column.name] = Json::array();
-      for (const std::optional<double>& value : column.values)
-        values.push_back(numberOrNull(value));
+      Json of_row = {{"name", row.species}};
+      for (const ObservedNumber& number : row.numbers)
+        of_row[number.name] = number.value;
+      for (const ObservedColumn& column : row.table)
+        of_row["table"][column.name] = column.values;
+      (row.place.empty() ? rows : rows[row.place]).push_back(std::move(of_row));
     }
-    (row.place.empty() ? json : json[row.place]).push_back(std::move(of_row));
   }
-  return json;
 }
 
 Json planParts(const Plan& plan)
@@ -138,16 +136,13 @@ Json planParts(const Plan& plan)
           {"simd", plan.simd}};
 }
 
-void addSeparation(Json& json, const std::vector<SpeciesBins>& bins)
+void addBinResults(Json& json, const std::vector<std::string>& species, const std::vector<SpeciesBins>& bins)
 {
   const PairSeparation best = bestSeparation(bins);
-  json["quality"] = numberOrNull(best.quality());
-  json["separation"] = numberOrNull(best.separation);
-  json["separation_by_mass"] = numberOrNull(best.by_mass);
-}
-
-void addBinShares(Json& json, const std::vector<std::string>& species, const std::vector<SpeciesBins>& bins)
-{
+  json["quality"] = best.quality();
+  json["separation"] = best.separation;
+  json["separation_by_mass"] = best.by_mass;
+  json["processed"] = processedRatio(bins);
   const std::vector<SpeciesShares> shares = binShares(bins);
   for (const auto& [key, share] :
        {std::pair{"purity", &BinShare::purity}, std::pair{"recovery", &BinShare::recovery}})
@@ -158,36 +153,25 @@ void addBinShares(Json& json, const std::vector<std::string>& species, const std
       for (std::size_t s = 0; s < shares.size(); ++s)
       {
         const BinShares& in_bin = shares[s].*of_bin;
-        list.push_back({{"name", species[s]},
-                        {"number", numberOrNull(in_bin.number.*share)},
-                        {"mass", numberOrNull(in_bin.mass.*share)}});
+        list.push_back(
+            {{"name", species[s]}, {"number", in_bin.number.*share}, {"mass", in_bin.mass.*share}});
       }
     }
 }
 
-Json collisionCounts(const CollisionCounts& counts)
+void addContacts(Json& json, const SceneDefinition& scene, const CollisionCounts& collisions,
+                 const FaceContacts& contacts)
 {
-  Json json;
-  Fields<CollisionCounts>::each(
-      [&json](const FieldInfo& field, std::uint64_t count) { json[field.name] = count; }, counts);
-  return json;
-}
-
-Json contactsByFace(const FaceContacts& contacts)
-{
-  return {{"faces", contacts.face_contacts}, {"corners", contacts.corner_contacts}};
-}
-
-Json numberOrNull(const std::optional<double>& value)
-{
-  return value ? Json(*value) : Json(nullptr);
+  json["collisions"] = collisions;
+  json["short_to_long"] = collisions.shortToLong(scene.base.slopeAsymmetry());
+  if (!scene.base.isSawtooth())
+    json["contacts_by_face"] = {{"faces", contacts.face_contacts}, {"corners", contacts.corner_contacts}};
 }
 
 void addMeans(Json& species, const SpeciesMeans& means)
 {
-  Fields<SpeciesMeans>::each([&species](const FieldInfo& field, const std::optional<double>& mean)
-                             { species.emplace(field.name, numberOrNull(mean)); },
-                             means);
+  const Json all = means;
+  species.insert(all.begin(), all.end());
 }
 
 Json summarize(const Simulation& simulation, const RunOutcome& outcome)
@@ -201,18 +185,12 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
   json["simulated_time"] = simulation.time();
   json["wall_time"] = outcome.wall_time;
   json["events"] = simulation.events();
-  json["collisions"] = collisionCounts(simulation.collisions());
-  json["short_to_long"] = numberOrNull(simulation.collisions().shortToLong(scene.base.slopeAsymmetry()));
-  if (!scene.base.isSawtooth())
-    json["contacts_by_face"] = contactsByFace(simulation.faceContacts());
+  addContacts(json, scene, simulation.collisions(), simulation.faceContacts());
   json["species"] = speciesResults(simulation);
-  addSeparation(json, simulation.bins());
+  addBinResults(json, speciesNames(scene), simulation.bins());
   if (scene.species.size() > 2)
     json["pair_qualities"] = pairResults(simulation);
-  json["processed"] = numberOrNull(processedRatio(simulation.bins()));
-  addBinShares(json, speciesNames(scene), simulation.bins());
-  for (const Observed& observed : simulation.observed())
-    json[observed.name] = observedResults(observed);
+  addObserved(json, simulation.observed());
   json["accuracy"] = certaintyParts(simulation);
   json["base_impulse"] = {simulation.baseImpulse().x(), simulation.baseImpulse().y()};
   json["energy_start"] = outcome.progress.energy_start;

@@ -167,9 +167,9 @@ void CommandServer::lockStep(const LockStep::Request& request, LockStep::Respons
   const Run& run = control_.run();
   response.time = run.time();
   response.finished = run.finished();
-  response.base = toMessage(run.base(), frame_id_);
-  response.bins = toMessage(run.bins(), frame_id_);
-  response.statistics = toMessage(run.statistics(), frame_id_);
+  response.base = toMessage(run.now<BaseFrame>(), frame_id_);
+  response.bins = toMessage(run.now<BinFrame>(), frame_id_);
+  response.statistics = toMessage(run.now<StatisticsFrame>(), frame_id_);
 }
 
 }  // namespace ratchet_sieve

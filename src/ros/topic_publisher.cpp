@@ -14,13 +14,13 @@ constexpr std::uint32_t EXIT_QUEUE_SIZE = 100000;
 
 /// Advertises the topic of a kind; a new subscriber is sent the present state.
 template <typename Frame>
-void TopicPublisher::advertise(ros::NodeHandle& node, Frame (Run::*state)() const)
+void TopicPublisher::advertise(ros::NodeHandle& node)
 {
   const ros::SubscriberStatusCallback give =
-      [current = current_, frame_id = frames_.world, state](const ros::SingleSubscriberPublisher& subscriber)
+      [current = current_, frame_id = frames_.world](const ros::SingleSubscriberPublisher& subscriber)
   {
     if (hasFrames<Frame>(current().simulation().scene()))
-      subscriber.publish(toMessage((current().*state)(), frame_id));
+      subscriber.publish(toMessage(current().now<Frame>(), frame_id));
   };
   const FrameKind kind = kindOf<Frame>();
   publishers_[kind] = node.advertise<MessageOf<Frame>>(describe(kind).name, FRAME_QUEUE_SIZE, give);
@@ -33,11 +33,7 @@ TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function
 {
   publishers_[FrameKind::SCENE] =
       private_node.advertise<SceneDescription>(describe(FrameKind::SCENE).name, 1, true);
-  advertise(private_node, &Run::particles);
-  advertise(private_node, &Run::bins);
-  advertise(private_node, &Run::base);
-  advertise(private_node, &Run::statistics);
-  advertise(private_node, &Run::observed);
+  forEachSampledType([&](auto type) { advertise<typename decltype(type)::Frame>(private_node); });
   publishers_[FrameKind::COMMANDS] =
       private_node.advertise<Command>(describe(FrameKind::COMMANDS).name, FRAME_QUEUE_SIZE);
   exits_ = private_node.advertise<DiskExit>("exits", EXIT_QUEUE_SIZE);
@@ -71,7 +67,7 @@ void TopicPublisher::publish(const Frame& frame)
 void TopicPublisher::take(const AnyFrame& any)
 {
   if (any.kind() == FrameKind::PARTICLES && isHeard(FrameKind::PARTICLES))
-    transforms_.publish(current_().base(), frames_);
+    transforms_.publish(current_().now<BaseFrame>(), frames_);
   any.visit([this](const auto& frame) { publish(frame); });
   if (const BaseFrame* base = any.as<BaseFrame>())
     transforms_.publish(*base, frames_);

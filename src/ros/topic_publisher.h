@@ -34,7 +34,7 @@ public:
 private:
   bool isHeard(FrameKind kind) const { return publishers_.at(kind).getNumSubscribers() > 0; }
   template <typename Frame>
-  void advertise(ros::NodeHandle& node, Frame (Run::*state)() const);
+  void advertise(ros::NodeHandle& node);
   template <typename Frame>
   void publish(const Frame& frame);
 

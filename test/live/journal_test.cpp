@@ -177,7 +177,7 @@ TEST_F(DisksOverWalls, AreNotSaidOfOpenEnds)
 {
   auto run = flownOver(3, Boundary::OPEN);
   run.advanceTo(0.01);
-  EXPECT_EQ(run.bins().bins[0].left, 3u);
+  EXPECT_EQ(run.now<BinFrame>().bins[0].left, 3u);
   journal.look(run);
   EXPECT_TRUE(warned.empty());
 }

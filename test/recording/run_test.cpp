@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -17,26 +18,22 @@ namespace ratchet_sieve
 namespace
 {
 
+constexpr double FOREVER = std::numeric_limits<double>::infinity();
+
 /// Samples a run to `end`.
 CollectingSink sampled(const FrameRates& rates, double start, double end)
 {
-  SceneDefinition scene = smallRing();
-  Simulation simulation(scene);
-  simulation.advanceTo(start);
-  FrameSampler sampler(rates, start);
+  ratchet_sieve::Run run(Simulation(smallRing(), start), end);
   CollectingSink sink;
-  sampler.takeDue(simulation, sink);
-  while (sampler.nextTime() <= end)
-  {
-    simulation.advanceTo(sampler.nextTime());
-    sampler.takeDue(simulation, sink);
-  }
-  simulation.advanceTo(end);
-  sampler.takeLast(simulation, sink);
+  run.add(sink, rates);
+  run.takeDue();
+  while (!run.finished())
+    run.advanceTo(end);
+  run.takeAll();
   return sink;
 }
 
-TEST(FrameSampler, TakesFramesExactlyOnTheirTimes)
+TEST(Run, TakesFramesExactlyOnTheirTimes)
 {
   const CollectingSink sink = sampled({60.0, 30.0, 7.0, 10.0}, 0.0, 1.0);
   ASSERT_EQ(sink.particles.size(), 61u);
@@ -50,7 +47,7 @@ TEST(FrameSampler, TakesFramesExactlyOnTheirTimes)
   EXPECT_EQ(sink.scenes.size(), 1u);
 }
 
-TEST(FrameSampler, CountsFromWhereItStarts)
+TEST(Run, CountsFromWhereItStarts)
 {
   const CollectingSink sink = sampled({10.0, 0.0, 0.0, 0.0}, 0.3, 0.65);
   std::vector<double> times;
@@ -59,38 +56,40 @@ TEST(FrameSampler, CountsFromWhereItStarts)
   EXPECT_EQ(times, (std::vector<double>{0.3, 0.3 + 0.1, 0.3 + 0.2, 0.3 + 3 / 10.0, 0.65}));
 }
 
-TEST(FrameSampler, AtRateZeroTakesFirstAndLastOnce)
+TEST(Run, AtRateZeroTakesFirstAndLastOnce)
 {
   Simulation simulation(smallRing());
-  FrameSampler sampler({0.0, 0.0, 0.0, 0.0}, 0.0);
+  ratchet_sieve::Run run(simulation, FOREVER);
   CollectingSink sink;
-  EXPECT_EQ(sampler.nextTime(), 0.0);
-  sampler.takeDue(simulation, sink);
-  sampler.takeLast(simulation, sink);
+  run.add(sink, {0.0, 0.0, 0.0, 0.0});
+  EXPECT_EQ(run.nextTime(), 0.0);
+  run.takeDue();
+  run.takeAll();
   EXPECT_EQ(sink.particles.size(), 1u);
-  EXPECT_TRUE(std::isinf(sampler.nextTime()));
+  EXPECT_TRUE(std::isinf(run.nextTime()));
   simulation.advanceTo(0.7);
-  sampler.takeLast(simulation, sink);
-  sampler.takeLast(simulation, sink);
+  run.takeAll();
+  run.takeAll();
   ASSERT_EQ(sink.particles.size(), 2u);
   EXPECT_EQ(sink.particles[1].time, 0.7);
   EXPECT_EQ(sink.statistics.size(), 2u);
 }
 
-TEST(FrameSampler, TakesOneFrameForTimesThatWerePassedOver)
+TEST(Run, TakesOneFrameForTimesThatWerePassedOver)
 {
   Simulation simulation(smallRing());
-  FrameSampler sampler({10.0, 10.0, 10.0, 10.0}, 0.0);
+  ratchet_sieve::Run run(simulation, FOREVER);
   CollectingSink sink;
-  sampler.takeDue(simulation, sink);
+  run.add(sink, {10.0, 10.0, 10.0, 10.0});
+  run.takeDue();
   simulation.advanceTo(0.55);
-  sampler.takeDue(simulation, sink);
+  run.takeDue();
   ASSERT_EQ(sink.particles.size(), 2u);
   EXPECT_EQ(sink.particles[1].time, 0.55);
-  EXPECT_EQ(sampler.nextTime(), 6 / 10.0);
+  EXPECT_EQ(run.nextTime(), 6 / 10.0);
 }
 
-TEST(FrameSampler, TakesWhatIsObservedOfScenesThatAskForItOrHaveSizes)
+TEST(Run, TakesWhatIsObservedOfScenesThatAskForItOrHaveSizes)
 {
   for (const auto& [observe, sizes, names] : {std::tuple(false, false, std::vector<std::string>{}),
                                               {true, false, {"height_profile", "mass_flow"}},
@@ -102,12 +101,13 @@ TEST(FrameSampler, TakesWhatIsObservedOfScenesThatAskForItOrHaveSizes)
     if (sizes)
       scene.species[0].size.spread = 0.2;
     Simulation simulation(scene);
-    FrameSampler sampler({0.0, 0.0, 0.0, 0.0, 10.0}, 0.0);
+    ratchet_sieve::Run run(simulation, FOREVER);
     CollectingSink sink;
+    run.add(sink, {0.0, 0.0, 0.0, 0.0, 10.0});
     for (int k = 0; k <= 5; ++k)
     {
       simulation.advanceTo(0.1 * k);
-      sampler.takeDue(simulation, sink);
+      run.takeDue();
     }
     ASSERT_EQ(sink.observed.size(), names.empty() ? 0u : 6u);
     for (const ObservedFrame& frame : sink.observed)
@@ -140,14 +140,15 @@ public:
   std::set<FrameKind> left_out = {FrameKind::PARTICLES, FrameKind::STATISTICS};
 };
 
-TEST(FrameSampler, MakesNothingThatIsNotWanted)
+TEST(Run, MakesNothingThatIsNotWanted)
 {
   Simulation simulation(smallRing());
-  FrameSampler sampler({10.0, 10.0, 10.0, 10.0}, 0.0);
+  ratchet_sieve::Run run(simulation, FOREVER);
   ChoosySink sink;
-  sampler.takeDue(simulation, sink);
+  run.add(sink, {10.0, 10.0, 10.0, 10.0});
+  run.takeDue();
   simulation.advanceTo(0.1);
-  sampler.takeDue(simulation, sink);
+  run.takeDue();
   EXPECT_EQ(sink.bases.size(), 2u);
   EXPECT_EQ(sink.bins.size(), 2u);
   EXPECT_TRUE(sink.particles.empty());
@@ -155,11 +156,11 @@ TEST(FrameSampler, MakesNothingThatIsNotWanted)
 
   // A later subscriber begins with the next frame; skipped frames are not made up for.
   sink.left_out.clear();
-  sampler.takeDue(simulation, sink);
+  run.takeDue();
   EXPECT_TRUE(sink.particles.empty());
-  EXPECT_EQ(sampler.nextTime(), 2 / 10.0);
+  EXPECT_EQ(run.nextTime(), 2 / 10.0);
   simulation.advanceTo(0.2);
-  sampler.takeDue(simulation, sink);
+  run.takeDue();
   ASSERT_EQ(sink.particles.size(), 1u);
   EXPECT_EQ(sink.particles[0].time, 0.2);
   ASSERT_EQ(sink.statistics.size(), 1u);
@@ -178,37 +179,38 @@ struct HandClock
   }
 };
 
-TEST(FrameSampler, LeavesOutOfTheRealTimeFactorWhatTheRunStoodStill)
+TEST(Run, LeavesOutOfTheRealTimeFactorWhatTheRunStoodStill)
 {
   HandClock clock;
   Simulation simulation(smallRing());
-  FrameSampler sampler({0.0, 0.0, 0.0, 10.0}, 0.0, [&] { return clock.now; });
+  ratchet_sieve::Run run(simulation, FOREVER, [&] { return clock.now; });
   CollectingSink sink;
-  sampler.takeDue(simulation, sink);
+  run.add(sink, {0.0, 0.0, 0.0, 10.0});
+  run.takeDue();
   // Twice real time; paused in the middle of the second frame, stepped through the fourth.
   clock.pass(0.05);
   simulation.advanceTo(0.1);
-  sampler.takeDue(simulation, sink);
+  run.takeDue();
   clock.pass(0.02);
-  sampler.setUnderWay(false);
+  run.setUnderWay(false);
   clock.pass(100.0);
-  sampler.setUnderWay(false);
+  run.setUnderWay(false);
   clock.pass(100.0);
-  sampler.setUnderWay(true);
-  sampler.setUnderWay(true);
+  run.setUnderWay(true);
+  run.setUnderWay(true);
   clock.pass(0.03);
   simulation.advanceTo(0.2);
-  sampler.takeDue(simulation, sink);
+  run.takeDue();
   clock.pass(0.02);
   simulation.advanceTo(0.25);
-  sampler.setUnderWay(false);
+  run.setUnderWay(false);
   clock.pass(100.0);
-  sampler.takeLast(simulation, sink);
+  run.takeAll();
   clock.pass(100.0);
-  sampler.setUnderWay(true);
+  run.setUnderWay(true);
   clock.pass(0.01);
   simulation.advanceTo(0.3);
-  sampler.takeDue(simulation, sink);
+  run.takeDue();
 
   std::vector<double> factors;
   for (const StatisticsFrame& frame : sink.statistics)
@@ -221,7 +223,7 @@ TEST(FrameSampler, LeavesOutOfTheRealTimeFactorWhatTheRunStoodStill)
   EXPECT_NEAR(factors[4], 5.0, 1e-6);  // after it: 0.05 s in 0.01 s
 }
 
-/// A recording has its own sampler, with its own clock and pauses.
+/// A sink that is added in a pause has the same pauses.
 TEST(Run, leavesPausesOutOfTheRealTimeFactorThatIsRecorded)
 {
   HandClock clock;
@@ -266,7 +268,7 @@ TEST(Run, ObservesNoPeriodsWhereNobodyWantsStatistics)
   ChoosySink listener;
   run.add(listener, FrameRates());
   advanceTo(run, 0.75);
-  const StatisticsFrame now = run.statistics();
+  const StatisticsFrame now = run.now<StatisticsFrame>();
   EXPECT_EQ(now.window_start, 0.75);
   EXPECT_EQ(now.window_end, 0.75);
   EXPECT_EQ(now.collision_rates.total(), 0.0);

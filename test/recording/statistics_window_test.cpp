@@ -186,21 +186,13 @@ TEST(StatisticsWindow, ComesOutTheSameInARunThatWasTakenUp)
 TEST(StatisticsWindow, DoesNotDependOnWhoElseIsShownFrames)
 {
   const CollectingSink alone = recorded(layer(), 10.0);
-  Simulation simulation(layer());
-  FrameSampler ten({0.0, 0.0, 0.0, 10.0}, 0.0), more({60.0, 0.0, 0.0, 47.0}, 0.0);
-  simulation.observePeriods(
-      [&](const PeriodRecord& period)
-      {
-        ten.take(period);
-        more.take(period);
-      });
+  ratchet_sieve::Run run(Simulation(layer()), 1.0);
   CollectingSink to_ten, to_more;
-  for (double time = 0.0; time <= 1.0; time = std::min(ten.nextTime(), more.nextTime()))
-  {
-    simulation.advanceTo(time);
-    ten.takeDue(simulation, to_ten);
-    more.takeDue(simulation, to_more);
-  }
+  run.add(to_ten, {0.0, 0.0, 0.0, 10.0});
+  run.add(to_more, {60.0, 0.0, 0.0, 47.0});
+  run.takeDue();
+  while (!run.finished())
+    run.advanceTo(run.endTime());
   ASSERT_EQ(to_ten.statistics.size(), alone.statistics.size());
   for (std::size_t k = 0; k < alone.statistics.size(); ++k)
   {

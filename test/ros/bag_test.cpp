@@ -21,15 +21,12 @@ namespace
 /// Hands a short run to the sink.
 void showRun(FrameSink& sink)
 {
-  Simulation simulation(smallMixture());
-  FrameSampler sampler({60.0, 30.0, 120.0, 10.0}, 0.0);
-  sampler.takeDue(simulation, sink);
-  while (simulation.time() < 1.0)
-  {
-    simulation.advanceTo(std::min(sampler.nextTime(), 1.0));
-    sampler.takeDue(simulation, sink);
-  }
-  sampler.takeLast(simulation, sink);
+  Run run(Simulation(smallMixture()), 1.0);
+  run.add(sink, {60.0, 30.0, 120.0, 10.0});
+  run.takeDue();
+  while (!run.finished())
+    run.advanceTo(run.endTime());
+  run.takeAll();
 }
 
 std::string writingError(const std::string& path)

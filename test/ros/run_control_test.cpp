@@ -187,9 +187,9 @@ TEST(RunControl, poursTheDisksAnewWhileTimeAndBaseGoOn)
   Controlled run;
   run.control.command(Quantity::INCLINATION, 0.2);
   run.step(0.75);
-  const BaseFrame before = run.control.run().base();
+  const BaseFrame before = run.control.run().now<BaseFrame>();
   EXPECT_TRUE(run.control.resetWorld().success);
-  const BaseFrame after = run.control.run().base();
+  const BaseFrame after = run.control.run().now<BaseFrame>();
   EXPECT_EQ(after.time, 0.75);
   EXPECT_EQ(after.base.inclination, before.base.inclination);
   EXPECT_EQ(after.base.commanded_inclination, 0.2);
@@ -265,11 +265,11 @@ TEST(RunControl, observesPeriodsForALockStep)
 {
   Controlled run("", false);
   ASSERT_TRUE(run.lockStep({}, 0.095).success);
-  const StatisticsFrame first = run.control.run().statistics();
+  const StatisticsFrame first = run.control.run().now<StatisticsFrame>();
   EXPECT_EQ(first.window_start, 0.0);
   EXPECT_NEAR(first.window_end, 2.0 / smallMixture().base.frequency, 1e-9);
   ASSERT_TRUE(run.lockStep({}, 0.1).success);
-  EXPECT_EQ(run.control.run().statistics().window_start, first.window_end);
+  EXPECT_EQ(run.control.run().now<StatisticsFrame>().window_start, first.window_end);
 }
 
 TEST(RunControl, givesASetpointOfALockStepOnce)
@@ -293,7 +293,7 @@ TEST(RunControl, takesAllSetpointsOfALockStepOrNone)
             "inclination_setpoint 0.6 rad refused: must be from -0.5 to 0.5 rad");
   EXPECT_EQ(refusal("angle", 0.1), "setpoint angle: must be inclination, frequency or amplitude");
   EXPECT_EQ(run.time(), 0.0);
-  EXPECT_EQ(run.control.run().base().base.commanded_frequency, smallMixture().base.frequency);
+  EXPECT_EQ(run.control.run().now<BaseFrame>().base.commanded_frequency, smallMixture().base.frequency);
   run.control.unpause();
   EXPECT_EQ(refusal("inclination", 0.1), "the simulation is not paused: pause it first");
 }

@@ -30,7 +30,7 @@ public:
   /// @param independent disks do not collide with each other: the scatter between disks is the whole error
   DisplacementTracker(std::size_t species_count, double settle, bool independent);
 
-  /// @pre frames come at equal intervals, as a FrameSampler takes them
+  /// @pre frames come at equal intervals, as a Run takes them
   void add(const ParticleFrame& frame);
 
   /// Per species.
@@ -85,8 +85,6 @@ private:
     double time = 0.0;
     std::vector<std::vector<double>> displacements;  ///< per species [m]
   };
-
-  Snapshot snapshot(const ParticleFrame& frame) const;
 
   std::size_t species_count_;
   std::vector<double> times_;

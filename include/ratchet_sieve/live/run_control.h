@@ -67,8 +67,8 @@ public:
   RunControl(const YAML::Node& scene, const std::string& source, const RunParameters& parameters,
              RunRecording& recording, RunLog log = {}, PourObserver pour_observer = {});
 
-  /// Adds a sink for the frames, which outlives this.
-  void addSink(FrameSink& sink) { sinks_.add(sink); }
+  /// Adds a sink for the frames of this run and the later ones, which outlives this.
+  void addSink(FrameSink& sink);
 
   /// Calls the observer with each disk that leaves, of this run and the later ones.
   void observeExits(ExitObserver observer);
@@ -133,7 +133,7 @@ private:
   RunRecording& recording_;
   RunLog log_;
   PourObserver pour_observer_;
-  FanOut sinks_;
+  std::vector<FrameSink*> sinks_;
   ExitObserver exit_observer_;
   std::vector<std::string> scene_warnings_;
   std::unique_ptr<Run> run_;

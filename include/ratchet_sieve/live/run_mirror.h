@@ -50,7 +50,6 @@ private:
   template <typename Frame>
   void see(const Frame& frame, std::optional<Frame>& last);
   void jumpBackTo(double time);
-  bool fits(const ParticleFrame& frame) const;
   BaseFrame baseAt(double time) const;
 
   std::optional<SceneDefinition> scene_;

@@ -57,13 +57,12 @@ public:
   /// The times after simulation.time().
   explicit LookTimes(const Simulation& simulation);
 
-  double next() const { return next_; }  ///< [s]
+  double next() const { return simulation_.blockEnd(blocks_); }  ///< [s]
   void pass();
 
 private:
   const Simulation& simulation_;
   std::uint64_t blocks_;
-  double next_ = 0.0;
 };
 
 }  // namespace ratchet_sieve

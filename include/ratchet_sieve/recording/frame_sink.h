@@ -1,11 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
 #include <variant>
-#include <vector>
 
 #include "ratchet_sieve/recording/frames.h"
 
@@ -179,33 +177,11 @@ class FrameSink
 public:
   virtual ~FrameSink() = default;
 
-  /// Whether frames of a kind are needed at present. The sampler skips frames of a kind with a rate that is
+  /// Whether frames of a kind are needed at present. A run skips frames of a kind with a rate that is
   /// not wanted.
   virtual bool wants(FrameKind) const { return true; }
 
   virtual void take(const AnyFrame& frame) = 0;
-};
-
-/// Hands every frame to several sinks, in the order in which they were added.
-class FanOut : public FrameSink
-{
-public:
-  /// @param sink outlives this
-  void add(FrameSink& sink) { sinks_.push_back(&sink); }
-
-  bool wants(FrameKind kind) const override
-  {
-    return std::any_of(sinks_.begin(), sinks_.end(),
-                       [kind](const FrameSink* sink) { return sink->wants(kind); });
-  }
-  void take(const AnyFrame& frame) override
-  {
-    for (FrameSink* sink : sinks_)
-      sink->take(frame);
-  }
-
-private:
-  std::vector<FrameSink*> sinks_;
 };
 
 }  // namespace ratchet_sieve

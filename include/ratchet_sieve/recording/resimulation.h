@@ -5,8 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <tuple>
-#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "ratchet_sieve/recording/frame_sink.h"
@@ -25,7 +24,6 @@ class Resimulation : public FrameSink
 public:
   /// @param progress called after each time; may be empty
   explicit Resimulation(std::function<void(const Simulation&)> progress = {});
-  ~Resimulation() override;
 
   /// The same scene again, as at the start of each file of a split recording, continues the same run. @throws
   /// SceneError or std::invalid_argument if the recording cannot be a run
@@ -43,27 +41,7 @@ public:
   const std::optional<SceneFrame>& scene() const { return scene_; }
 
 private:
-  /// All recorded frames and commands of one time. The recording does not contain the order of frames and
-  /// commands of the same time. So a frame is accepted if it matches the state after any number of these
-  /// commands.
-  struct Instant
-  {
-    double time = 0.0;
-    std::tuple<std::vector<BaseFrame>, std::vector<ParticleFrame>, std::vector<BinFrame>,
-               std::vector<StatisticsFrame>, std::vector<ObservedFrame>>
-        frames;
-    std::vector<CommandFrame> commands;
-
-    template <typename Frame>
-    std::vector<Frame>& of()
-    {
-      if constexpr (std::is_same_v<Frame, CommandFrame>)
-        return commands;
-      else
-        return std::get<std::vector<Frame>>(frames);
-    }
-    bool empty() const;
-  };
+  using Recorded = std::variant<BaseFrame, ParticleFrame, BinFrame, StatisticsFrame, ObservedFrame>;
 
   void begin(const SceneFrame& frame);
   void observePeriods();
@@ -71,9 +49,7 @@ private:
   void compareInstant();
   void compareAsThingsAre();
   template <typename Frame>
-  Frame now(const Frame& recorded) const;
-  template <typename Frame>
-  void dropSame(std::vector<Frame>& frames, const Frame& now);
+  Frame now(const Frame& recorded);
   std::string describeDifference();
 
   std::function<void(const Simulation&)> progress_;
@@ -83,7 +59,14 @@ private:
   bool periods_observed_ = false;
   std::vector<PeriodRecord> periods_;  ///< since the last statistics
   StatisticsWindow window_;
-  Instant instant_;
+
+  /// All recorded frames and commands of one time. The recording does not contain the order of frames and
+  /// commands of the same time. So a frame is accepted if it matches the state after any number of these
+  /// commands.
+  double instant_ = 0.0;
+  std::vector<Recorded> recorded_;
+  std::vector<CommandFrame> commands_then_;
+
   std::optional<std::string> difference_;
   std::uint64_t frames_ = 0;
   std::uint64_t commands_ = 0;

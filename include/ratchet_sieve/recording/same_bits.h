@@ -4,7 +4,6 @@
 #include <type_traits>
 
 #include "ratchet_sieve/core/fields.h"
-#include "ratchet_sieve/recording/frames.h"
 
 namespace ratchet_sieve
 {
@@ -33,13 +32,6 @@ bool sameBits(const T& a, const T& b)
   }
   else
     return a == b;
-}
-
-/// Without the real-time factor, which topics and recording measure separately.
-inline bool sameButForSpeed(StatisticsFrame a, StatisticsFrame b)
-{
-  a.real_time_factor = b.real_time_factor = 0.0;
-  return sameBits(a, b);
 }
 
 }  // namespace ratchet_sieve

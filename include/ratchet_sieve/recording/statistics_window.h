@@ -61,8 +61,6 @@ public:
   const std::vector<std::optional<double>>& granularTemperatures() const { return granular_temperatures_; }
 
 private:
-  void begin(double time, std::size_t species);
-
   std::optional<PeriodRecord> ended_;  ///< all periods since the last frame, merged
   PeriodRecord shown_;                 ///< the window of the last frame
   std::vector<std::optional<double>> granular_temperatures_;

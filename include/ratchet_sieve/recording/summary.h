@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/recording/json.h"
 
 namespace ratchet_sieve
 {
@@ -20,26 +20,21 @@ nlohmann::ordered_json summarize(const Simulation& simulation, const RunOutcome&
 /// The computed parts of the model: each part of the plan by its name, true or false.
 nlohmann::ordered_json planParts(const Plan& plan);
 
-/// Collisions of each kind: disk_disk, left_slope, right_slope, apex, wall, level.
-nlohmann::ordered_json collisionCounts(const CollisionCounts& counts);
-
-/// Contacts with each part of a profile: lists `faces` and `corners`.
-nlohmann::ordered_json contactsByFace(const FaceContacts& contacts);
+/// Adds `collisions` of each kind, `short_to_long` and, of a profile, `contacts_by_face`: lists `faces` and
+/// `corners`.
+void addContacts(nlohmann::ordered_json& json, const SceneDefinition& scene,
+                 const CollisionCounts& collisions, const FaceContacts& contacts);
 
 /// Adds the means of a species, each under the name of its field, without replacing existing keys.
 void addMeans(nlohmann::ordered_json& species, const SpeciesMeans& means);
 
-/// Adds `quality`, `separation` and `separation_by_mass`, of the best pair of species.
-void addSeparation(nlohmann::ordered_json& json, const std::vector<SpeciesBins>& bins);
+/// Adds `quality`, `separation` and `separation_by_mass`, of the best pair of species, `processed`, and
+/// `purity` and `recovery`: of each bin, of each species, by number and by mass.
+void addBinResults(nlohmann::ordered_json& json, const std::vector<std::string>& species,
+                   const std::vector<SpeciesBins>& bins);
 
-/// Adds `purity` and `recovery`: of each bin, of each species, by number and by mass.
-void addBinShares(nlohmann::ordered_json& json, const std::vector<std::string>& species,
-                  const std::vector<SpeciesBins>& bins);
-
-/// What was observed: of each bin, or of the whole machine, of each species its numbers and its `table`.
-nlohmann::ordered_json observedResults(const Observed& observed);
-
-/// A number, or null where there is none.
-nlohmann::ordered_json numberOrNull(const std::optional<double>& value);
+/// Adds what was observed, each under its name: of each bin, or of the whole machine, of each species its
+/// numbers and its `table`.
+void addObserved(nlohmann::ordered_json& json, const std::vector<Observed>& all);
 
 }  // namespace ratchet_sieve

@@ -57,12 +57,12 @@ async function inflated(bytes) {
 
 /**
  * Opens the page: window.ratchetSieve is what scripts in the page's console, and tests, can do with it once it is ready.
- * @param {function(): Promise<Object>} make
+ * @param {function(): Promise<Array<Object>>} make
  */
 function openPage(make) {
   window.ratchetSieve = {};
   window.ratchetSieve.ready = make().then((scripting) => {
-    Object.defineProperties(window.ratchetSieve, Object.getOwnPropertyDescriptors(scripting));
+    for (const part of scripting) Object.defineProperties(window.ratchetSieve, Object.getOwnPropertyDescriptors(part));
   }).catch((error) => {
     byId('failure').hidden = false;
     byId('failure').textContent = 'This page cannot be shown: ' + error.message;

@@ -8,5 +8,5 @@ int main(int, char** arguments)
 {
   ratchet_sieve::Simulation simulation(ratchet_sieve::loadSceneFile(arguments[1]).definition);
   simulation.advanceTo(0.1);
-  std::cout << ratchet_sieve::collisionCounts(simulation.collisions()) << '\n';
+  std::cout << nlohmann::ordered_json(simulation.collisions()) << '\n';
 }

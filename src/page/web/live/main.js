@@ -4,29 +4,19 @@ const STEP = 1 / 32;          // of the drive's period
 const STEP_AT_REST = 1e-3;    // [s]
 
 /** A machine that runs in the page. */
-class LivePage {
+class LivePage extends MachinePage {
   constructor({version, scenes}) {
+    super(new LivePlayer((answer) => this.take(answer)), CURVES_PERIOD);
     this.version = version;
     this.scenes = scenes;
-    this.player = new LivePlayer((answer) => this.take(answer), () => this.showPlayer());
     this.panel = new Panel(this);
     this.run = 0;      // the number of the run that was asked for last
     this.begun = 0;    // and of the one that is shown
-    this.curvesDrawn = 0;
-    document.addEventListener('keydown', (event) => this.onKey(event));
+    byId('title').textContent = document.title;
+    this.showPlayer();
     addEventListener('hashchange', () => {
       if (location.hash && location.hash !== this.linked) this.openLink(location.hash);
     });
-    onThemeChange(() => {
-      this.curves.all('rebuild');
-      this.show();
-    });
-    new ResizeObserver(() => {
-      if (!this.picture) return;
-      this.picture.resize();
-      this.curves.all('resize');
-      this.show();
-    }).observe(byId('content'));
   }
 
   /**
@@ -104,16 +94,10 @@ class LivePage {
     this.records = new Records(machine.species);
     this.records.add(readings);
     this.bins = new BinSeries(this.records.bins, machine.boundary);
-    this.picture = new Picture(byId('machine'), this.base, this.motion, this.bins);
-    this.picture.resize();
-    this.picture.showFirst();
-    if (this.controls) this.controls.picture = this.picture;
-    else this.controls = new PictureControls(this.picture, () => this.player.time, () => this.show());
-    this.values = new Readings(machine, this.base, this.bins);
     byId('follow').value = byId('followed').value = '';
     if (this.curves) this.curves.all('remove');
-    this.curves = new Curves(byId('curves'), {machine}, this.records, [0, 1], machine.boundary !== 'periodic', () => {},
-      () => this.player.time);
+    this.showMachine(this.base, this.motion, this.bins, new Curves(byId('curves'), {machine}, this.records, [0, 1],
+      machine.boundary !== 'periodic', () => {}, () => this.player.time));
   }
 
   /** The base tilts: the picture is to hold it. */
@@ -123,31 +107,20 @@ class LivePage {
   }
 
   show() {
+    super.show();
     if (!this.readings) return;
-    const {time} = this.readings;
-    this.picture.draw(time);
-    this.values.show(time);
     this.panel.show(this.readings, this.schedule, this.motion.ids.length, this.player.factor);
     this.panel.say(this.error, this.readings);
-    const now = performance.now();
-    if (!this.player.playing || now - this.curvesDrawn > CURVES_PERIOD) {
-      this.picture.fillBins();
-      this.curves.update(Math.max(time, 0.1));
-      this.curvesDrawn = now;
-    }
-    if (!this.player.playing) {
-      byId('machine').setAttribute('aria-label', this.values.sentence(time));
-      this.showProgram();
-    }
+    if (!this.player.playing) this.showProgram();
+  }
+
+  drawCurves() {
+    this.picture.fillBins();
+    this.curves.update(Math.max(this.player.time, 0.1));
   }
 
   showProgram() {
     if (this.readings) byId('python').textContent = this.program();
-  }
-
-  showPlayer() {
-    this.panel.showPlayer(this.player);
-    this.show();
   }
 
   program() {
@@ -160,37 +133,26 @@ class LivePage {
     return location.href;
   }
 
-  onKey(event) {
-    if (isForControl(event) || !this.controls) return;
-    const isSlider = event.target.matches('input[type=range]');
-    answerKey(event, {
-      ' ': () => this.player.toggle(),
-      ...isSlider ? {} : {ArrowRight: () => this.step()},
-      ',': () => this.player.changeSpeed(-1),
-      '.': () => this.player.changeSpeed(1),
+  keysOf(event) {
+    return {
+      ...event.target.matches('input[type=range]') ? {} : {ArrowRight: () => this.step()},
       r: () => this.restart(),
       n: () => this.restart({seed: this.settings.seed + 1}),
       p: () => this.panel.pour(),
-      ...this.controls.keys,
-    });
+    };
   }
 }
 
-/** What scripts in the page's console, and tests, can do with it. */
-function scriptingOf(page) {
+openPage(async () => {
+  const page = new LivePage(JSON.parse(byId('data').textContent));
   const {player} = page;
-  return {
-    get scenes() { return page.scenes.map((scene) => scene.name); },
-    get time() { return player.time; },
-    get playing() { return player.playing; },
-    get factor() { return player.factor; },
+  await player.ask('compile', {engine: await inflated(bytesOf(byId('engine').textContent))});
+  byId('content').hidden = false;
+  await page.openLink(location.hash);
+  if (!page.error && !matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
+  return [page.scripting(), {
     get readings() { return page.readings; },
     get schedule() { return page.schedule; },
-    get followed() { return page.picture.followed; },
-    get drawMilliseconds() { return page.picture.milliseconds; },
-    toPixel: (x, y) => page.picture.view.toPixel(x, y),
-    play: () => player.play(),
-    pause: () => player.pause(),
     /** A whole run. @return {Promise<{readings: Object, disks: Float64Array}>} the state at a time */
     async stateAt(name, time, settings) {
       player.pause();
@@ -198,17 +160,7 @@ function scriptingOf(page) {
       await page.open({offered, seed: offered.seed, feedRate: offered.feed_rate, schedule: [], ...settings});
       return player.ask('advance', {to: time});
     },
-    disks: () => page.picture.disksAt(player.time),
     program: () => page.program(),
     link: () => page.link(),
-  };
-}
-
-openPage(async () => {
-  const page = new LivePage(JSON.parse(byId('data').textContent));
-  await page.player.ask('compile', {engine: await inflated(bytesOf(byId('engine').textContent))});
-  byId('content').hidden = false;
-  await page.openLink(location.hash);
-  if (!page.error && !matchMedia('(prefers-reduced-motion: reduce)').matches) page.player.play();
-  return scriptingOf(page);
+  }];
 });

@@ -17,16 +17,12 @@ class Panel {
   constructor(page) {
     this.page = page;
     byId('scene-name').append(...page.scenes.map((scene) => element('option', {}, scene.name)));
-    byId('speed').append(...[...SPEEDS, MOST].map((speed) => element('option', {value: String(speed)},
-      speed === MOST ? 'as fast as it goes' : speedText(speed))));
     const on = (id, event, action) => byId(id).addEventListener(event, action);
     on('scene-name', 'change', () => page.openScene(byId('scene-name').value));
     on('restart', 'click', () => page.restart(this.asked()));
     on('another', 'click', () => page.restart({...this.asked(), seed: page.settings.seed + 1}));
     for (const id of ['seed', 'feed-rate']) on(id, 'change', () => page.restart(this.asked()));
-    on('play', 'click', () => page.player.toggle());
     on('step', 'click', () => page.step());
-    on('speed', 'change', () => page.player.setSpeed(SPEEDS.find((speed) => String(speed) === byId('speed').value) || MOST));
     on('pour', 'click', () => this.pour());
     copyOnClick(byId('copy-link'), () => {
       byId('link').textContent = page.link();
@@ -118,12 +114,6 @@ class Panel {
     byId('disks').value = String(disks);
     byId('events').value = quantity(events, '', 6);
     byId('factor').value = factor === null ? '' : `${factor.toFixed(2)}\u00d7 real time`;
-  }
-
-  showPlayer({playing, speed}) {
-    byId('play').textContent = playing ? 'Pause' : 'Play';
-    byId('play').setAttribute('aria-pressed', String(playing));
-    byId('speed').value = String(speed);
   }
 
   /** An error, which is read out, and what is wrong with the run. */

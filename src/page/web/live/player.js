@@ -4,17 +4,14 @@ const LONGEST_FRAME = 0.1;  // a pause of the browser is not caught up with [s]
 const FACTOR_TIME = 0.5;    // over which the speed that is reached is measured [s]
 
 /** Runs the engine in a worker, and asks it for a picture at each frame of the browser. */
-class LivePlayer {
-  /** @param {function(Object)} onAnswer called with each answer of the worker @param {function()} onChange playing, speed */
-  constructor(onAnswer, onChange) {
+class LivePlayer extends Player {
+  /** @param {function(Object)} onAnswer called with each answer of the worker */
+  constructor(onAnswer) {
+    super([...SPEEDS, MOST], 'as fast as it goes');
     this.onAnswer = onAnswer;
-    this.onChange = onChange;
     this.worker = new Worker(URL.createObjectURL(new Blob([byId('worker').textContent], {type: 'text/javascript'})));
     this.worker.onmessage = ({data}) => this.answered(data);
     this.waiting = [];
-    this.time = 0;
-    this.playing = false;
-    this.speed = 1;
     this.factor = null;
   }
 
@@ -55,22 +52,7 @@ class LivePlayer {
   }
 
   pause() {
-    this.playing = false;
     this.factor = null;
-    this.onChange();
-  }
-
-  toggle() {
-    if (this.playing) this.pause(); else this.play();
-  }
-
-  setSpeed(speed) {
-    this.speed = speed;
-    this.onChange();
-  }
-
-  changeSpeed(steps) {
-    const speeds = [...SPEEDS, MOST];
-    this.setSpeed(speeds[Math.min(speeds.length - 1, Math.max(0, speeds.indexOf(this.speed) + steps))]);
+    super.pause();
   }
 }

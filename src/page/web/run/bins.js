@@ -8,28 +8,20 @@ class BinSeries {
       (boundary === 'open' || ['left', 'right'].some((bin) => this.total(bin, Infinity) > 0));
   }
 
-  /** The value of a column that holds at a time; null before the first. */
-  at(column, time) {
+  /** The value of a column, of a species or of the whole machine, that holds at a time; null before the first. */
+  at(time, name, columns = this.bins) {
     const row = lastNotAbove(this.bins.time, time);
-    return row < 0 ? null : column[row];
-  }
-
-  quality(time) {
-    return this.at(this.bins.quality, time);
-  }
-
-  processed(time) {
-    return this.at(this.bins.processed, time);
+    return row < 0 ? null : columns[name][row];
   }
 
   /** Disks of a species in one of left, right, on_base. */
   count(species, place, time) {
-    return this.at(this.bins.species[species][place], time);
+    return this.at(time, place, this.bins.species[species]);
   }
 
   /** All disks in a bin. */
   total(bin, time) {
-    return this.bins.species.reduce((sum, species) => sum + this.at(species[bin], time), 0);
+    return this.bins.species.reduce((sum, species) => sum + this.at(time, bin, species), 0);
   }
 
   /** The species of the disks in a bin at the end, in the order in which they came. @param {string} bin left or right */
@@ -45,21 +37,19 @@ class BinSeries {
 
 /** The values at the present time, beside the picture. */
 class Readings {
-  constructor(machine, base, bins) {
-    this.machine = machine;
+  constructor(base, bins) {
+    this.species = base.machine.species;
     this.base = base;
     this.bins = bins;
-    this.names = machine.species.map((species, k) => marked(species.name, colourOf(k)));
-    this.cells = machine.species.map(() => ['left', 'on_base', 'right'].map(() => element('span')));
+    this.cells = this.species.map(() => ['left', 'on_base', 'right'].map(() => element('span')));
     byId('bins').hidden = !bins.areUsed;
     if (bins.areUsed) fillTable(byId('bins'), ['species', 'left bin', 'on the base', 'right bin'],
-      this.names.map((name, k) => [name, ...this.cells[k]]));
+      this.species.map(({name}, k) => [marked(name, colourOf(k)), ...this.cells[k]]));
   }
 
   show(time) {
     byId('clock').value = seconds(time);
-    byId('quality').value = ratio(this.bins.quality(time));
-    byId('processed').value = ratio(this.bins.processed(time));
+    for (const name of ['quality', 'processed']) byId(name).value = ratio(this.bins.at(time, name));
     const state = this.base.stateAt(time);
     byId('inclination').value = quantity(state.inclination, 'rad');
     byId('frequency').value = quantity(state.frequency, 'Hz');
@@ -72,10 +62,10 @@ class Readings {
 
   /** Q, P and the bins in a sentence, for readers of the screen. */
   sentence(time) {
-    const counts = this.machine.species.map((species, k) => !this.bins.areUsed ? '' :
+    const counts = this.species.map((species, k) => !this.bins.areUsed ? '' :
       `; ${species.name}: ${this.bins.count(k, 'left', time)} in the left bin, ` +
       `${this.bins.count(k, 'on_base', time)} on the base, ${this.bins.count(k, 'right', time)} in the right bin`);
-    return `The machine at ${time.toFixed(3)} seconds: Q ${ratio(this.bins.quality(time))}, ` +
-      `P ${ratio(this.bins.processed(time))}${counts.join('')}`;
+    return `The machine at ${time.toFixed(3)} seconds: Q ${ratio(this.bins.at(time, 'quality'))}, ` +
+      `P ${ratio(this.bins.at(time, 'processed'))}${counts.join('')}`;
   }
 }

@@ -34,7 +34,7 @@ class Curves {
     const {separation, species} = this.series.bins;
     if (this.hasBins && separation && species.length === 2) charts.push(this.separation());
     if (this.hasBins) charts.push(this.qualities(), this.counts());
-    if (this.hasBins && species[0].purity) charts.push(this.shares('purity'), this.shares('recovery'));
+    if (this.hasBins && !separation) charts.push(this.shares('purity'), this.shares('recovery'));
     if (this.series.velocities.time.length) charts.push(this.velocities());
     return [...charts, ...this.setpoints()];
   }
@@ -89,7 +89,11 @@ class Curves {
       title: share === 'purity' ? 'Purity: share of a species in a bin, by number'
         : 'Recovery: share of what left of a species that is in a bin, by number',
       y: {label: share, scale: {range: [0, 1.02]}},
-      ...this.ofBins((species, bin) => species[share][bin].number),
+      ...this.ofBins((species, bin) => species[bin].map((count, row) => {
+        const all = share === 'purity' ? this.series.bins.species.reduce((sum, each) => sum + each[bin][row], 0)
+          : species.left[row] + species.right[row];
+        return all > 0 ? count / all : null;
+      })),
     };
   }
 

@@ -168,20 +168,11 @@ class Motion {
     const half = meet ? 0.5 : 0;
     const startX = x0 + u0 * leaves - half * missX, startY = y0 + v0 * leaves - half * missY;
     const endX = meet ? startX : x1 - u1 * arc, endY = meet ? startY : y1 - v1 * arc;
-    const fallen = 0.5 * g * elapsed * elapsed;
-    if (elapsed <= leaves) {
-      const part = shareOf(elapsed, leaves);
-      place.x = x0 + (startX - x0) * part;
-      place.y = y0 + (startY - y0) * part - fallen;
-    } else if (elapsed < arrives) {
-      const part = shareOf(elapsed - leaves, arrives - leaves);
-      place.x = startX + (endX - startX) * part;
-      place.y = startY + (endY - startY) * part - fallen;
-    } else {
-      const part = shareOf(elapsed - arrives, span - arrives);
-      place.x = endX + (x1 - endX) * part;
-      place.y = endY + (y1 - endY) * part - fallen;
-    }
+    const [since, until, fromX, fromY, toX, toY] = elapsed <= leaves ? [0, leaves, x0, y0, startX, startY]
+      : elapsed < arrives ? [leaves, arrives, startX, startY, endX, endY] : [arrives, span, endX, endY, x1, y1];
+    const part = shareOf(elapsed - since, until - since);
+    place.x = fromX + (toX - fromX) * part;
+    place.y = fromY + (toY - fromY) * part - 0.5 * g * elapsed * elapsed;
     this.turn(i, elapsed, span, 0.5 * (leaves + arrives), place);
   }
 

@@ -86,7 +86,6 @@ class Picture {
     this.fillBins();
     this.view = new View(this.wholeMachine());
     this.followed = null;
-    this.milliseconds = 0;
   }
 
   get binWidth() {
@@ -140,7 +139,6 @@ class Picture {
   }
 
   draw(time) {
-    const began = performance.now();
     const {clientWidth, clientHeight} = this.canvas;
     if (clientWidth !== this.view.width || clientHeight !== this.view.height) this.resize();
     const context = this.canvas.getContext('2d');
@@ -154,7 +152,6 @@ class Picture {
     this.drawBase(context, pose);
     if (this.followed !== null) this.drawPath(context, time);
     this.drawDisks(context, time);
-    this.milliseconds = performance.now() - began;
   }
 
   /** A point of the base's frame as a pixel. */

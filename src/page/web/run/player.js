@@ -5,23 +5,52 @@ function speedText(speed) {
   return speed < 1 ? `1/${Math.round(1 / speed)}` : `${speed}\u00d7`;
 }
 
-/** The present time of the page, and how it goes on. */
+/** The present time of a page, whether it goes on by play(), and how fast. */
 class Player {
-  /** @param {function(number)} show called with each new time */
-  constructor(times, show) {
-    this.times = times;
-    this.start = times[0];
-    this.end = times[times.length - 1];
-    this.show = show;
-    this.time = this.start;
+  /** @param {Array} speeds to choose from: numbers, or a text @param {string} textOfOther what the text stands for */
+  constructor(speeds, textOfOther = '') {
+    this.speeds = speeds;
+    this.time = 0;
     this.playing = false;
     this.speed = 1;
     this.onChange = () => {};
+    byId('speed').append(...speeds.map((speed) => element('option', {value: String(speed)},
+      typeof speed === 'number' ? speedText(speed) : textOfOther)));
+  }
+
+  pause() {
+    this.playing = false;
+    this.onChange();
+  }
+
+  toggle() {
+    if (this.playing) this.pause(); else this.play();
+  }
+
+  setSpeed(speed) {
+    this.speed = speed;
+    this.onChange();
+  }
+
+  changeSpeed(steps) {
+    this.setSpeed(this.speeds[Math.min(this.speeds.length - 1, Math.max(0, this.speeds.indexOf(this.speed) + steps))]);
+  }
+}
+
+/** Plays a run that was recorded. */
+class RunPlayer extends Player {
+  /** @param {function()} show called with each new time */
+  constructor(times, show) {
+    super(SPEEDS);
+    this.times = times;
+    this.time = this.start = times[0];
+    this.end = times[times.length - 1];
+    this.show = show;
   }
 
   seek(time) {
     this.time = Math.min(this.end, Math.max(this.start, time));
-    this.show(this.time);
+    this.show();
   }
 
   play() {
@@ -39,15 +68,6 @@ class Player {
     requestAnimationFrame(step);
   }
 
-  pause() {
-    this.playing = false;
-    this.onChange();
-  }
-
-  toggle() {
-    if (this.playing) this.pause(); else this.play();
-  }
-
   /** To the next recorded frame, or to the last one before. */
   stepFrames(frames) {
     this.pause();
@@ -55,15 +75,5 @@ class Player {
     const isOn = this.times[Math.max(k, 0)] === this.time;
     const next = k + frames + (frames < 0 && !isOn ? 1 : 0);
     this.seek(this.times[Math.min(this.times.length - 1, Math.max(0, next))]);
-  }
-
-  setSpeed(speed) {
-    this.speed = speed;
-    this.onChange();
-  }
-
-  changeSpeed(steps) {
-    const k = SPEEDS.indexOf(this.speed) + steps;
-    this.setSpeed(SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, k))]);
   }
 }

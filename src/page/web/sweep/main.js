@@ -86,10 +86,10 @@ class SweepPage {
   }
 }
 
-/** What scripts in the page's console, and tests, can do with it. */
-function scriptingOf(page) {
+openPage(async () => {
+  const page = new SweepPage(JSON.parse(byId('data').textContent));
   const {report} = page;
-  return {
+  return [{
     report: report.data,
     get field() { return report.fields[page.field].name; },
     get chosen() { return page.chosen; },
@@ -97,7 +97,5 @@ function scriptingOf(page) {
     showField: (name) => page.showField(report.fields.findIndex((field) => field.name === name)),
     choose: (column, row = 0) => page.choose(report.at(column, row)),
     toPixel: (column, row) => page.map.toPixel(column, row),
-  };
-}
-
-openPage(async () => scriptingOf(new SweepPage(JSON.parse(byId('data').textContent))));
+  }];
+});
