@@ -48,8 +48,7 @@ constexpr int TIMES_A_LOOK = 50;
 constexpr const char* DEADLY =
     "the process that ran it died twice: it crashed or was killed, as where memory is short";
 
-const std::string WITHOUT_RESULT =
-    "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = p.run_hash AND c.physics = ?2) ";
+const std::string WITHOUT_RESULT = "NOT EXISTS (SELECT 1 FROM results r WHERE r.run_hash = p.run_hash) ";
 
 }  // namespace
 
@@ -109,23 +108,22 @@ bool ResultsLock::isHeld(const std::string& results)
   return is_held;
 }
 
-SweepLedger::SweepLedger(const Sweep& sweep, ResultStore& store, const SweepPlan& plan)
+SweepLedger::SweepLedger(const Sweep& sweep, SweepResults& results)
     : sweep_(sweep),
-      store_(store),
-      plan_(plan),
-      open_(store.database(),
-            "SELECT position, run_hash FROM plan p WHERE sweep = ?1 AND position >= ?3 " + WITHOUT_RESULT +
+      results_(results),
+      open_(results.database(),
+            "SELECT position, run_hash FROM plan p WHERE position >= ?1 AND " + WITHOUT_RESULT +
                 "AND NOT EXISTS (SELECT 1 FROM deaths d WHERE d.run_hash = p.run_hash AND d.physics = ?2) "
-                "ORDER BY position LIMIT ?4"),
-      suspect_(store.database(),
+                "ORDER BY position LIMIT ?3"),
+      suspect_(results.database(),
                "SELECT position, p.run_hash FROM deaths d CROSS JOIN plan p ON p.run_hash = d.run_hash "
-               "WHERE sweep = ?1 AND d.physics = ?2 " +
+               "WHERE d.physics = ? AND " +
                    WITHOUT_RESULT + "ORDER BY position LIMIT 1"),
-      begin_(store.database(), "INSERT INTO under_way (run_hash, physics) VALUES (?, ?)"),
-      end_(store.database(), "DELETE FROM under_way WHERE run_hash = ? AND physics = ?"),
-      forgive_(store.database(), "DELETE FROM deaths WHERE run_hash = ? AND physics = ?")
+      begin_(results.database(), "INSERT INTO under_way (run_hash, physics) VALUES (?, ?)"),
+      end_(results.database(), "DELETE FROM under_way WHERE run_hash = ? AND physics = ?"),
+      forgive_(results.database(), "DELETE FROM deaths WHERE run_hash = ? AND physics = ?")
 {
-  static_cast<SweepCounts&>(progress_) = plan_.counts(store_.database());
+  static_cast<SweepCounts&>(progress_) = results.counts();
 }
 
 std::vector<std::uint64_t> SweepLedger::exchange(const std::vector<CaseResult>& results, std::size_t wanted)
@@ -133,12 +131,12 @@ std::vector<std::uint64_t> SweepLedger::exchange(const std::vector<CaseResult>& 
   std::vector<std::uint64_t> positions;
   try
   {
-    Transaction transaction(store_.database());
+    Transaction transaction(results_.database());
     for (const CaseResult& result : results)
     {
-      store_.record(result);
-      end_.bind(1, result.run_hash).bind(2, PHYSICS_VERSION).run();
-      forgive_.bind(1, result.run_hash).bind(2, PHYSICS_VERSION).run();
+      results_.store().record(result);
+      end_.run({result.run_hash, PHYSICS_VERSION});
+      forgive_.run({result.run_hash, PHYSICS_VERSION});
     }
     if (wanted > 0)
       positions = begin(wanted);
@@ -146,7 +144,7 @@ std::vector<std::uint64_t> SweepLedger::exchange(const std::vector<CaseResult>& 
   }
   catch (const DatabaseError&)
   {
-    store_.forgetColumns();
+    results_.store().forgetColumns();
     throw;
   }
   progress_.finished_here += results.size();
@@ -157,12 +155,15 @@ std::vector<std::uint64_t> SweepLedger::exchange(const std::vector<CaseResult>& 
 
 std::vector<std::uint64_t> SweepLedger::begin(std::size_t most)
 {
-  plan_.bind(open_).bind(3, cursor_);
-  std::vector<std::uint64_t> positions = begin(open_.bind(4, static_cast<std::int64_t>(most)));
+  open_.restart({cursor_, PHYSICS_VERSION, most});
+  std::vector<std::uint64_t> positions = begin(open_);
   if (!positions.empty())
     cursor_ = static_cast<std::int64_t>(positions.back()) + 1;
   else if (!runsSuspect())
-    return begin(plan_.bind(suspect_));
+  {
+    suspect_.restart({PHYSICS_VERSION});
+    return begin(suspect_);
+  }
   return positions;
 }
 
@@ -176,9 +177,9 @@ std::vector<std::uint64_t> SweepLedger::begin(Statement& select)
     positions.push_back(static_cast<std::uint64_t>(select.integer(0)));
     hashes.push_back(select.text(1));
   }
-  select.reset();
+  select.restart();
   for (const std::string& hash : hashes)
-    begin_.bind(1, hash).bind(2, PHYSICS_VERSION).run();
+    begin_.run({hash, PHYSICS_VERSION});
   return positions;
 }
 
@@ -187,18 +188,18 @@ bool SweepLedger::runsSuspect()
 {
   std::string hash;
   std::string place;
-  Statement select(store_.database(),
+  Statement select(results_.database(),
                    "SELECT run_hash, place FROM deaths JOIN under_way USING (run_hash, physics) "
-                   "WHERE physics = ?");
-  if (select.bind(1, PHYSICS_VERSION).step())
+                   "WHERE physics = ?",
+                   {PHYSICS_VERSION});
+  if (select.step())
   {
     hash = select.text(0);
     place = select.text(1);
   }
-  select.reset();
   if (hash.empty() || placeOf(hash) == place)
     return !hash.empty();
-  forgive_.bind(1, hash).bind(2, PHYSICS_VERSION).run();
+  forgive_.run({hash, PHYSICS_VERSION});
   return false;
 }
 
@@ -207,7 +208,7 @@ std::string SweepLedger::placeOf(const std::string& run_hash) const
 {
   std::error_code error;
   const auto written =
-      std::filesystem::last_write_time(checkpointPath(store_.database().path(), run_hash), error);
+      std::filesystem::last_write_time(checkpointPath(results_.database().path(), run_hash), error);
   return error ? "" : std::to_string(written.time_since_epoch().count());
 }
 
@@ -231,32 +232,32 @@ std::string SweepLedger::recordDeaths()
 /// @return the positions of those cases that were suspect before
 std::vector<std::uint64_t> SweepLedger::countDeaths()
 {
-  Transaction transaction(store_.database());
-  Statement select(store_.database(),
-                   "SELECT p.position, u.run_hash, d.place FROM under_way u JOIN plan p ON p.sweep = ?1 AND "
-                   "p.run_hash = u.run_hash LEFT JOIN deaths d ON d.run_hash = u.run_hash AND "
-                   "d.physics = u.physics WHERE u.physics = ?2");
-  Statement insert(store_.database(),
+  Transaction transaction(results_.database());
+  Statement select(
+      results_.database(),
+      "SELECT p.position, u.run_hash, d.place FROM under_way u JOIN plan p USING (run_hash) "
+      "LEFT JOIN deaths d ON d.run_hash = u.run_hash AND d.physics = u.physics WHERE u.physics = ?",
+      {PHYSICS_VERSION});
+  Statement insert(results_.database(),
                    "INSERT OR REPLACE INTO deaths (run_hash, physics, place) VALUES (?, ?, ?)");
   std::vector<std::uint64_t> deadly;
-  plan_.bind(select);
   while (select.step())
   {
     const std::string hash = select.text(1);
     const std::string place = placeOf(hash);
-    if (!select.isNull(2) && select.text(2) == place)
+    if (select.value(2) == place)
       deadly.push_back(static_cast<std::uint64_t>(select.integer(0)));
-    insert.bind(1, hash).bind(2, PHYSICS_VERSION).bind(3, place).run();
+    insert.run({hash, PHYSICS_VERSION, place});
   }
-  store_.database().execute("DELETE FROM under_way");
+  results_.database().execute("DELETE FROM under_way");
   transaction.commit();
   return deadly;
 }
 
 void SweepLedger::forgetUnfinished()
 {
-  Transaction transaction(store_.database());
-  store_.database().execute("DELETE FROM under_way");
+  Transaction transaction(results_.database());
+  results_.database().execute("DELETE FROM under_way");
   transaction.commit();
 }
 
@@ -273,7 +274,7 @@ void SweepLedger::countWarnings()
   const Clock::time_point begin = Clock::now();
   if (begin < next_look_)
     return;
-  progress_.warned = plan_.warnings(store_).warned();
+  progress_.warned = results_.warnings().warned();
   const Clock::time_point end = Clock::now();
   next_look_ = end + std::max<Clock::duration>(BETWEEN_LOOKS, TIMES_A_LOOK * (end - begin));
 }

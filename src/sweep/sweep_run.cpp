@@ -48,30 +48,25 @@ std::size_t threadCount(std::size_t wanted)
 }
 
 /// Removes checkpoints of cases with a result, which a killed process has left.
-void removeLeftovers(const Database& database)
+void removeLeftovers(const ResultStore& store)
 {
-  Statement select(database, "SELECT 1 FROM cases WHERE run_hash = ? AND physics = ?");
-  for (const fs::directory_entry& entry : fs::directory_iterator(workDirectory(database.path())))
+  for (const fs::directory_entry& entry : fs::directory_iterator(workDirectory(store.database().path())))
   {
     const std::string name = entry.path().filename().string();
     const std::size_t dot = name.find(checkpointEnding());
-    if (dot == std::string::npos)
-      continue;
     std::error_code ignored;
-    if (select.bind(1, name.substr(0, dot)).bind(2, PHYSICS_VERSION).step())
+    if (dot != std::string::npos && store.statusOf(name.substr(0, dot)))
       fs::remove(entry.path(), ignored);
-    select.reset();
   }
 }
 
 class SweepRun
 {
 public:
-  SweepRun(const Sweep& sweep, ResultStore& store, const SweepPlan& plan, const SweepRunOptions& options)
+  SweepRun(const Sweep& sweep, SweepResults& results, const SweepRunOptions& options)
       : options_(options),
-        store_(store),
-        plan_(plan),
-        ledger_(sweep, store, plan),
+        results_(results),
+        ledger_(sweep, results),
         threads_wanted_(threadCount(options.threads)),
         pool_(threads_wanted_, [this, &sweep] { return makeWork(sweep); })
   {
@@ -113,7 +108,7 @@ private:
       const SweepCase& next = builder->at(position);
       CaseRunOptions options;
       if (!options_.record)
-        options.checkpoint = checkpointPath(store_.database().path(), runHash(next.scene));
+        options.checkpoint = checkpointPath(results_.database().path(), runHash(next.scene));
       options.record = options_.record;
       options.checkpoint_period = options_.checkpoint_period;
       options.stop_wanted = [this] { return stopWanted(); };
@@ -170,7 +165,7 @@ private:
     for (const CaseResult& result : unsaved_)
     {
       std::error_code ignored;
-      fs::remove(checkpointPath(store_.database().path(), result.run_hash), ignored);
+      fs::remove(checkpointPath(results_.database().path(), result.run_hash), ignored);
     }
     const double interval = secondsSince(last_saved_);
     if (interval > 0.0)
@@ -189,9 +184,8 @@ private:
   /// @throws DatabaseError if the hash of a case was another than in the file
   void requireAllRun()
   {
-    Database& database = store_.database();
-    if (plan_.counts(database).open() > 0)
-      throw DatabaseError(database.path() +
+    if (results_.counts().open() > 0)
+      throw DatabaseError(results_.database().path() +
                           ": lists other cases than the sweep has: remove it, or use another file");
   }
 
@@ -214,8 +208,7 @@ private:
   }
 
   const SweepRunOptions& options_;
-  ResultStore& store_;
-  const SweepPlan& plan_;
+  SweepResults& results_;
   SweepLedger ledger_;
   std::vector<CaseResult> unsaved_;
   double rate_ = 0.0;  ///< running mean [cases/s]
@@ -229,8 +222,8 @@ private:
 void requirePlanned(const ResultStore& part, const std::set<std::string>& planned, const Sweep& sweep)
 {
   const std::string& path = part.database().path();
-  Statement select(part.database(), "SELECT run_hash, MAX(physics = ?) FROM cases GROUP BY run_hash");
-  select.bind(1, PHYSICS_VERSION);
+  Statement select(part.database(), "SELECT run_hash, MAX(physics = ?) FROM cases GROUP BY run_hash",
+                   {PHYSICS_VERSION});
   while (select.step())
   {
     if (planned.count(select.text(0)) == 0)
@@ -243,25 +236,24 @@ void requirePlanned(const ResultStore& part, const std::set<std::string>& planne
 }
 
 /// Opens a results file, or a new one. Illegal cases are found before anything is written.
-/// @return the plan in the file, or else a new one; nothing if stopped @throws SceneError, DatabaseError
-std::optional<SweepPlan> openResults(const Sweep& sweep, const std::string& results,
-                                     std::optional<ResultStore>& store, const SweepRunOptions& options)
+/// @return nothing if stopped @throws SceneError, DatabaseError
+std::unique_ptr<SweepResults> openResults(const Sweep& sweep, const std::string& path,
+                                          const SweepRunOptions& options)
 {
-  if (fs::exists(results))
-  {
-    store.emplace(results, Database::Access::WRITE);
-    if (std::optional<SweepPlan> plan = SweepPlan::find(store->database(), sweep))
-      return plan;
-  }
+  const auto open = [&] { return std::make_unique<SweepResults>(sweep, path, Database::Access::WRITE); };
+  std::unique_ptr<SweepResults> results = fs::exists(path) ? open() : nullptr;
+  if (results && results->isListed())
+    return results;
   const std::optional<LegalCases> cases = legalCases(sweep, options.stop_wanted);
   if (!cases)
-    return std::nullopt;
+    return nullptr;
   if (options.warn)
     for (const std::string& line : cases->warnings.lines(sweep.size(), "case"))
       options.warn(line);
-  if (!store)
-    store.emplace(results, Database::Access::WRITE);
-  return SweepPlan::make(store->database(), sweep, *cases);
+  if (!results)
+    results = open();
+  results->list(*cases);
+  return results;
 }
 
 }  // namespace
@@ -272,25 +264,24 @@ std::string fewerThreadsText(std::size_t threads, std::size_t wanted)
          " could be started; the results are the same";
 }
 
-SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const SweepRunOptions& options)
+SweepOutcome runSweep(const Sweep& sweep, const std::string& path, const SweepRunOptions& options)
 {
-  const ResultsLock lock(results);
-  std::optional<ResultStore> store;
-  const std::optional<SweepPlan> plan = openResults(sweep, results, store, options);
-  if (!plan)
+  const ResultsLock lock(path);
+  const std::unique_ptr<SweepResults> results = openResults(sweep, path, options);
+  if (!results)
     return {{}, true};
-  removeLeftovers(store->database());
+  removeLeftovers(results->store());
   if (options.retry_failed)
-    plan->removeFailed(store->database());
+    results->removeFailed();
   SweepOutcome outcome;
   {
-    SweepRun run(sweep, *store, *plan, options);
+    SweepRun run(sweep, *results, options);
     outcome.threads = run.threads();
     outcome.threads_wanted = run.threadsWanted();
     outcome.stopped = run.run();
   }
-  plan->fillValues(*store, sweep);
-  outcome.counts = plan->counts(store->database());
+  results->fillValues();
+  outcome.counts = results->counts();
   return outcome;
 }
 
@@ -303,20 +294,20 @@ LegalCases requireMergeable(const Sweep& sweep, const std::vector<std::string>& 
   return cases;
 }
 
-void mergeResults(const Sweep& sweep, const LegalCases& cases, const std::string& results,
+void mergeResults(const Sweep& sweep, const LegalCases& cases, const std::string& path,
                   const std::vector<std::string>& parts)
 {
-  const ResultsLock lock(results);
-  ResultStore store(results, Database::Access::WRITE);
-  const std::optional<SweepPlan> known = SweepPlan::find(store.database(), sweep);
-  const SweepPlan plan = known ? *known : SweepPlan::make(store.database(), sweep, cases);
+  const ResultsLock lock(path);
+  SweepResults results(sweep, path, Database::Access::WRITE);
+  if (!results.isListed())
+    results.list(cases);
   for (const std::string& part : parts)
   {
-    Transaction transaction(store.database());
-    store.copyFrom(ResultStore(part, Database::Access::READ));
+    Transaction transaction(results.database());
+    results.store().copyFrom(ResultStore(part, Database::Access::READ));
     transaction.commit();
   }
-  plan.fillValues(store, sweep);
+  results.fillValues();
 }
 
 }  // namespace ratchet_sieve

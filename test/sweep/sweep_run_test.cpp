@@ -268,13 +268,12 @@ TEST_F(SweepRunTest, FindsTheCaseAtWhichProcessesDie)
   none.stop_wanted = [] { return true; };
   runSweep(sweep, results_, none);
   const ResultsLock lock(results_);
-  ResultStore store(results_, Database::Access::WRITE);
-  const SweepPlan plan = *SweepPlan::find(store.database(), sweep);
+  SweepResults results(sweep, results_, Database::Access::WRITE);
   using Positions = std::vector<std::uint64_t>;
-  EXPECT_EQ(SweepLedger(sweep, store, plan).exchange({}, 2), (Positions{0, 1}));
+  EXPECT_EQ(SweepLedger(sweep, results).exchange({}, 2), (Positions{0, 1}));
   EXPECT_EQ(status(sweep).rfind("3 cases: 0 done, 0 failed, 2 under way, 3 to go\n", 0), 0u);
   {
-    SweepLedger second(sweep, store, plan);
+    SweepLedger second(sweep, results);
     EXPECT_EQ(second.recordDeaths(), "");
     EXPECT_EQ(second.exchange({}, 10), Positions{2});
     EXPECT_EQ(second.exchange({}, 10), Positions{0});
@@ -282,7 +281,7 @@ TEST_F(SweepRunTest, FindsTheCaseAtWhichProcessesDie)
     std::ofstream(checkpointPath(results_, runHash(CaseBuilder(sweep).at(0).scene))) << "progress";
     EXPECT_EQ(second.exchange({}, 10), Positions{1});
   }
-  SweepLedger third(sweep, store, plan);
+  SweepLedger third(sweep, results);
   EXPECT_EQ(third.recordDeaths().rfind("case 2 (gravity=9) failed: the process that ran it died twice", 0),
             0u);
   EXPECT_EQ(third.exchange({}, 10), Positions{0});

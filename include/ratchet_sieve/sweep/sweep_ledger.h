@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ratchet_sieve/sweep/case.h"
-#include "ratchet_sieve/sweep/sweep_plan.h"
+#include "ratchet_sieve/sweep/sweep_results.h"
 
 namespace ratchet_sieve
 {
@@ -46,7 +46,7 @@ class SweepLedger
 {
 public:
   /// @pre this process holds the ResultsLock
-  SweepLedger(const Sweep& sweep, ResultStore& store, const SweepPlan& plan);
+  SweepLedger(const Sweep& sweep, SweepResults& results);
 
   /// Makes the cases under way suspect, for their process died. @return which failed, because their process
   /// died twice at the same place; empty if none. They get a result. @throws DatabaseError
@@ -73,8 +73,7 @@ private:
   void countWarnings();
 
   const Sweep& sweep_;
-  ResultStore& store_;
-  const SweepPlan& plan_;
+  SweepResults& results_;
   std::int64_t cursor_ = 0;  ///< all positions below have been begun or are suspect
   Statement open_;
   Statement suspect_;

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ratchet_sieve/sweep/sweep.h"
-#include "ratchet_sieve/sweep/sweep_plan.h"
+#include "ratchet_sieve/sweep/sweep_results.h"
 
 namespace ratchet_sieve
 {
