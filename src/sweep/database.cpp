@@ -112,6 +112,7 @@ void Database::openUnchanging()
 
 Database::~Database()
 {
+  prepared_.clear();
   sqlite3_close(connection_);
 }
 
@@ -123,18 +124,32 @@ void Database::requireInPlace() const
     throw DatabaseError(path_ + ": was removed or replaced while it was in use; later results are lost");
 }
 
+void Database::execute(const std::string& sql)
+{
+  if (sqlite3_exec(connection_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
+    fail();
+}
+
 void Database::execute(const std::string& sql, const SqlValues& values)
 {
-  if (!values.empty())
-    Statement(*this, sql).run(values);
-  else if (sqlite3_exec(connection_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
-    fail();
+  prepared(sql).run(values);
 }
 
 Json Database::value(const std::string& sql, const SqlValues& values) const
 {
-  Statement statement(*this, sql, values);
-  return statement.step() ? statement.value(0) : Json(nullptr);
+  Statement& statement = prepared(sql);
+  statement.restart(values);
+  const Json value = statement.step() ? statement.value(0) : Json(nullptr);
+  statement.restart();
+  return value;
+}
+
+Statement& Database::prepared(const std::string& sql) const
+{
+  std::unique_ptr<Statement>& statement = prepared_[sql];
+  if (statement == nullptr)
+    statement = std::make_unique<Statement>(*this, sql);
+  return *statement;
 }
 
 void Database::fail() const

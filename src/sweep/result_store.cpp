@@ -104,7 +104,6 @@ std::vector<std::string> ResultStore::columnNames() const
 void ResultStore::forgetColumns()
 {
   columns_.clear();
-  insertions_.clear();
   loadColumns();
 }
 
@@ -127,7 +126,7 @@ void ResultStore::addColumns(const std::vector<std::string>& names)
     }
 }
 
-Statement& ResultStore::insertion(const std::vector<std::string>& columns)
+void ResultStore::insert(const std::vector<std::string>& columns, const SqlValues& values)
 {
   std::string names;
   std::string marks;
@@ -136,18 +135,15 @@ Statement& ResultStore::insertion(const std::vector<std::string>& columns)
     names += (names.empty() ? "" : ", ") + quotedName(column);
     marks += marks.empty() ? "?" : ", ?";
   }
-  std::unique_ptr<Statement>& statement = insertions_[names];
-  if (statement == nullptr)
-    statement = std::make_unique<Statement>(
-        database_, "INSERT OR IGNORE INTO cases (" + names + ") VALUES (" + marks + ")");
-  return *statement;
+  database_.execute("INSERT OR IGNORE INTO cases (" + names + ") VALUES (" + marks + ")", values);
 }
 
 std::optional<std::string> ResultStore::statusOf(const std::string& run_hash) const
 {
-  Statement select(database_, "SELECT status FROM cases WHERE run_hash = ? AND physics = ?",
-                   {run_hash, PHYSICS_VERSION});
-  return select.step() ? std::optional(select.text(0)) : std::nullopt;
+  const Json status =
+      database_.value("SELECT CAST(status AS TEXT) FROM cases WHERE run_hash = ? AND physics = ?",
+                      {run_hash, PHYSICS_VERSION});
+  return status.is_null() ? std::nullopt : std::optional(status.get<std::string>());
 }
 
 /// Adds those scalars that get a column: each name once, and no more than the table can hold.
@@ -194,7 +190,7 @@ void ResultStore::record(const CaseResult& result)
     values.push_back(std::move(value));
   }
   addColumns(names);
-  insertion(names).run(values);
+  insert(names, values);
 }
 
 void ResultStore::copyFrom(const ResultStore& other)
@@ -203,15 +199,15 @@ void ResultStore::copyFrom(const ResultStore& other)
   addColumns(columns);
   Statement rows(other.database(), "SELECT run_hash, status, * FROM cases WHERE physics = ?",
                  {PHYSICS_VERSION});
-  Statement replace(database_, "DELETE FROM cases WHERE run_hash = ? AND physics = ? AND status = 'failed'");
   while (rows.step())
   {
     if (rows.text(1) == "done")
-      replace.run({rows.text(0), PHYSICS_VERSION});
+      database_.execute("DELETE FROM cases WHERE run_hash = ? AND physics = ? AND status = 'failed'",
+                        {rows.text(0), PHYSICS_VERSION});
     SqlValues values;
     for (int column = 2; column < rows.columns(); ++column)
       values.push_back(rows.value(column));
-    insertion(columns).run(values);
+    insert(columns, values);
   }
 }
 

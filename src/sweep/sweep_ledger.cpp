@@ -1,9 +1,10 @@
 #include "ratchet_sieve/sweep/sweep_ledger.h"
 
-#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -40,15 +41,22 @@ bool isThere(const std::string& path, int descriptor)
   return stat(path.c_str(), &named) == 0 && fstat(descriptor, &opened) == 0 && named.st_ino == opened.st_ino;
 }
 
-/// Interval between two scans of all results, at least ...
-constexpr auto BETWEEN_LOOKS = std::chrono::seconds(1);
-/// ... and at least this many times the duration of a scan.
-constexpr int TIMES_A_LOOK = 50;
-
 constexpr const char* DEADLY =
     "the process that ran it died twice: it crashed or was killed, as where memory is short";
 
-const std::string WITHOUT_RESULT = "NOT EXISTS (SELECT 1 FROM results r WHERE r.run_hash = p.run_hash) ";
+constexpr std::int64_t NO_MORE = std::numeric_limits<std::int64_t>::max();
+
+/// The first case from ?2 on that is no suspect of the physics ?1, and has no result.
+constexpr const char* NEXT =
+    "SELECT position FROM plan WHERE position >= ?2 AND run_hash NOT IN "
+    "(SELECT run_hash FROM deaths WHERE physics = ?1) "
+    "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = plan.run_hash AND physics = ?1) "
+    "ORDER BY position LIMIT 1";
+
+/// The first suspect without a result.
+constexpr const char* NEXT_SUSPECT =
+    "SELECT MIN(position) FROM deaths JOIN plan USING (run_hash) WHERE physics = ?1 "
+    "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = plan.run_hash AND physics = ?1)";
 
 }  // namespace
 
@@ -108,38 +116,38 @@ bool ResultsLock::isHeld(const std::string& results)
   return is_held;
 }
 
-SweepLedger::SweepLedger(const Sweep& sweep, SweepResults& results)
-    : sweep_(sweep),
-      results_(results),
-      open_(results.database(),
-            "SELECT position, run_hash FROM plan p WHERE position >= ?1 AND " + WITHOUT_RESULT +
-                "AND NOT EXISTS (SELECT 1 FROM deaths d WHERE d.run_hash = p.run_hash AND d.physics = ?2) "
-                "ORDER BY position LIMIT ?3"),
-      suspect_(results.database(),
-               "SELECT position, p.run_hash FROM deaths d CROSS JOIN plan p ON p.run_hash = d.run_hash "
-               "WHERE d.physics = ? AND " +
-                   WITHOUT_RESULT + "ORDER BY position LIMIT 1"),
-      begin_(results.database(), "INSERT INTO under_way (run_hash, physics) VALUES (?, ?)"),
-      end_(results.database(), "DELETE FROM under_way WHERE run_hash = ? AND physics = ?"),
-      forgive_(results.database(), "DELETE FROM deaths WHERE run_hash = ? AND physics = ?")
+SweepLedger::SweepLedger(const Sweep& sweep, SweepResults& results) : results_(results)
 {
   static_cast<SweepCounts&>(progress_) = results.counts();
+  progress_.warned = results.warnings().warned();
+  CaseBuilder builder(sweep);
+  for (const std::uint64_t position : countDeaths())
+  {
+    CaseResult result = resultFor(builder.at(position));
+    result.error = DEADLY;
+    exchange(result, false);
+    deaths_ +=
+        fmt::format("{}case {} ({})", deaths_.empty() ? "" : ", ", position + 1, builder.name(position));
+  }
+  if (!deaths_.empty())
+    deaths_ += std::string(" failed: ") + DEADLY;
 }
 
-std::vector<std::uint64_t> SweepLedger::exchange(const std::vector<CaseResult>& results, std::size_t wanted)
+std::optional<std::uint64_t> SweepLedger::exchange(const std::optional<CaseResult>& finished, bool begin_next)
 {
-  std::vector<std::uint64_t> positions;
+  std::optional<std::uint64_t> position;
   try
   {
     Transaction transaction(results_.database());
-    for (const CaseResult& result : results)
+    if (finished)
     {
-      results_.store().record(result);
-      end_.run({result.run_hash, PHYSICS_VERSION});
-      forgive_.run({result.run_hash, PHYSICS_VERSION});
+      results_.store().record(*finished);
+      results_.database().execute("DELETE FROM under_way WHERE run_hash = ? AND physics = ?",
+                                  {finished->run_hash, PHYSICS_VERSION});
+      forgive(finished->run_hash);
     }
-    if (wanted > 0)
-      positions = begin(wanted);
+    if (begin_next)
+      position = begin();
     transaction.commit();
   }
   catch (const DatabaseError&)
@@ -147,60 +155,50 @@ std::vector<std::uint64_t> SweepLedger::exchange(const std::vector<CaseResult>& 
     results_.store().forgetColumns();
     throw;
   }
-  progress_.finished_here += results.size();
-  for (const CaseResult& result : results)
-    ++(result.error.empty() ? progress_.done : progress_.failed);
-  return positions;
+  if (finished)
+  {
+    ++progress_.finished_here;
+    ++(finished->error.empty() ? progress_.done : progress_.failed);
+    progress_.warned += finished->error.empty() && !finished->summary.at("warnings").empty() ? 1 : 0;
+  }
+  return position;
 }
 
-std::vector<std::uint64_t> SweepLedger::begin(std::size_t most)
+std::optional<std::uint64_t> SweepLedger::begin()
 {
-  open_.restart({cursor_, PHYSICS_VERSION, most});
-  std::vector<std::uint64_t> positions = begin(open_);
-  if (!positions.empty())
-    cursor_ = static_cast<std::int64_t>(positions.back()) + 1;
-  else if (!runsSuspect())
-  {
-    suspect_.restart({PHYSICS_VERSION});
-    return begin(suspect_);
-  }
-  return positions;
-}
-
-/// Begins the cases that a statement selects.
-std::vector<std::uint64_t> SweepLedger::begin(Statement& select)
-{
-  std::vector<std::uint64_t> positions;
-  std::vector<std::string> hashes;
-  while (select.step())
-  {
-    positions.push_back(static_cast<std::uint64_t>(select.integer(0)));
-    hashes.push_back(select.text(1));
-  }
-  select.restart();
-  for (const std::string& hash : hashes)
-    begin_.run({hash, PHYSICS_VERSION});
-  return positions;
+  Database& database = results_.database();
+  nlohmann::ordered_json position = database.value(NEXT, {PHYSICS_VERSION, cursor_});
+  cursor_ = position.is_null() ? NO_MORE : position.get<std::int64_t>() + 1;
+  waits_ = position.is_null() && runsSuspect();
+  if (position.is_null() && !waits_)
+    position = database.value(NEXT_SUSPECT, {PHYSICS_VERSION});
+  if (position.is_null())
+    return std::nullopt;
+  database.execute("INSERT INTO under_way SELECT run_hash, ? FROM plan WHERE position = ?",
+                   {PHYSICS_VERSION, position});
+  return position.get<std::uint64_t>();
 }
 
 /// Whether a suspect is under way. It is none any more if it has written a checkpoint since.
 bool SweepLedger::runsSuspect()
 {
-  std::string hash;
-  std::string place;
   Statement select(results_.database(),
                    "SELECT run_hash, place FROM deaths JOIN under_way USING (run_hash, physics) "
                    "WHERE physics = ?",
                    {PHYSICS_VERSION});
-  if (select.step())
-  {
-    hash = select.text(0);
-    place = select.text(1);
-  }
-  if (hash.empty() || placeOf(hash) == place)
-    return !hash.empty();
-  forgive_.run({hash, PHYSICS_VERSION});
+  if (!select.step())
+    return false;
+  const std::string run_hash = select.text(0);
+  if (placeOf(run_hash) == select.text(1))
+    return true;
+  forgive(run_hash);
   return false;
+}
+
+void SweepLedger::forgive(const std::string& run_hash)
+{
+  results_.database().execute("DELETE FROM deaths WHERE run_hash = ? AND physics = ?",
+                              {run_hash, PHYSICS_VERSION});
 }
 
 /// How far a case has come: the time of its checkpoint's file, empty if there is none.
@@ -212,71 +210,35 @@ std::string SweepLedger::placeOf(const std::string& run_hash) const
   return error ? "" : std::to_string(written.time_since_epoch().count());
 }
 
-std::string SweepLedger::recordDeaths()
-{
-  std::vector<CaseResult> results;
-  std::string text;
-  CaseBuilder builder(sweep_);
-  for (const std::uint64_t position : countDeaths())
-  {
-    results.push_back(resultFor(builder.at(position)));
-    results.back().error = DEADLY;
-    text += fmt::format("{}case {} ({})", text.empty() ? "" : ", ", position + 1, builder.name(position));
-  }
-  if (results.empty())
-    return "";
-  exchange(results, 0);
-  return text + " failed: " + DEADLY;
-}
-
 /// @return the positions of those cases that were suspect before
 std::vector<std::uint64_t> SweepLedger::countDeaths()
 {
-  Transaction transaction(results_.database());
-  Statement select(
-      results_.database(),
-      "SELECT p.position, u.run_hash, d.place FROM under_way u JOIN plan p USING (run_hash) "
-      "LEFT JOIN deaths d ON d.run_hash = u.run_hash AND d.physics = u.physics WHERE u.physics = ?",
-      {PHYSICS_VERSION});
-  Statement insert(results_.database(),
-                   "INSERT OR REPLACE INTO deaths (run_hash, physics, place) VALUES (?, ?, ?)");
+  Database& database = results_.database();
+  Transaction transaction(database);
+  Statement select(database,
+                   "SELECT position, run_hash, place FROM under_way JOIN plan USING (run_hash) "
+                   "LEFT JOIN deaths USING (run_hash, physics) WHERE physics = ?",
+                   {PHYSICS_VERSION});
   std::vector<std::uint64_t> deadly;
   while (select.step())
   {
-    const std::string hash = select.text(1);
-    const std::string place = placeOf(hash);
+    const std::string place = placeOf(select.text(1));
     if (select.value(2) == place)
       deadly.push_back(static_cast<std::uint64_t>(select.integer(0)));
-    insert.run({hash, PHYSICS_VERSION, place});
+    database.execute("INSERT OR REPLACE INTO deaths (run_hash, physics, place) VALUES (?, ?, ?)",
+                     {select.text(1), PHYSICS_VERSION, place});
   }
-  results_.database().execute("DELETE FROM under_way");
+  database.execute("DELETE FROM under_way");
   transaction.commit();
   return deadly;
 }
 
-void SweepLedger::forgetUnfinished()
+SweepProgress SweepLedger::progress() const
 {
-  Transaction transaction(results_.database());
-  results_.database().execute("DELETE FROM under_way");
-  transaction.commit();
-}
-
-SweepProgress SweepLedger::progress(std::uint64_t running)
-{
-  progress_.running = running;
-  progress_.wall = std::chrono::duration<double>(Clock::now() - start_).count();
-  countWarnings();
-  return progress_;
-}
-
-void SweepLedger::countWarnings()
-{
-  const Clock::time_point begin = Clock::now();
-  if (begin < next_look_)
-    return;
-  progress_.warned = results_.warnings().warned();
-  const Clock::time_point end = Clock::now();
-  next_look_ = end + std::max<Clock::duration>(BETWEEN_LOOKS, TIMES_A_LOOK * (end - begin));
+  SweepProgress progress = progress_;
+  progress.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  progress.running = results_.database().value("SELECT COUNT(*) FROM under_way").get<std::uint64_t>();
+  return progress;
 }
 
 }  // namespace ratchet_sieve

@@ -117,9 +117,8 @@ void SweepResults::workOut(const LegalCases& cases)
 {
   database().execute("CREATE TEMP TABLE plan (position INTEGER PRIMARY KEY, run_hash TEXT UNIQUE)");
   Transaction transaction(database());
-  Statement insert(database(), "INSERT OR IGNORE INTO plan VALUES (?, ?)");
   for (std::uint64_t k = sweep_.part.number - 1; k < cases.run_hashes.size(); k += sweep_.part.count)
-    insert.run({k, cases.run_hashes[k]});
+    database().execute("INSERT OR IGNORE INTO plan VALUES (?, ?)", {k, cases.run_hashes[k]});
   transaction.commit();
 }
 
@@ -178,7 +177,6 @@ void SweepResults::fillValues()
   Transaction transaction(database());
   Statement select(database(),
                    "SELECT position, run_hash FROM results WHERE " + missing + " ORDER BY position");
-  Statement update(database(), "UPDATE cases SET " + assignments + " WHERE run_hash = ? AND physics = ?");
   CaseBuilder builder(sweep_);
   while (select.step())
   {
@@ -186,7 +184,7 @@ void SweepResults::fillValues()
     for (const auto& [key, value] : builder.at(static_cast<std::uint64_t>(select.integer(0))).values)
       values.push_back(sqlValue(value));
     values.insert(values.end(), {select.text(1), PHYSICS_VERSION});
-    update.run(values);
+    database().execute("UPDATE cases SET " + assignments + " WHERE run_hash = ? AND physics = ?", values);
   }
   transaction.commit();
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -31,6 +33,8 @@ constexpr const char* IN_MEMORY = ":memory:";
 /// Values for SQL: null, numbers, texts, and booleans as 0 and 1. An integer of 2^63 or more becomes a text.
 using SqlValues = std::vector<nlohmann::ordered_json>;
 
+class Statement;
+
 /// A connection to an SQLite file. For one thread.
 class Database
 {
@@ -48,12 +52,13 @@ public:
 
   const std::string& path() const { return path_; }
 
-  /// Runs SQL, and ignores the rows. @param values see Statement; without any, several statements may be
-  /// given
-  /// @throws DatabaseError
-  void execute(const std::string& sql, const SqlValues& values = {});
+  /// Runs SQL, and ignores the rows. @throws DatabaseError
+  void execute(const std::string& sql);
 
-  /// The first value of the first row, null if there is none. @throws DatabaseError
+  /// Runs a statement, which is prepared once for all its values. @throws DatabaseError
+  void execute(const std::string& sql, const SqlValues& values);
+
+  /// The first value of the first row of such a statement, null if there is none. @throws DatabaseError
   nlohmann::ordered_json value(const std::string& sql, const SqlValues& values = {}) const;
 
   /// @throws DatabaseError if the path now names another file or none
@@ -66,9 +71,11 @@ private:
   void open(const std::string& name, int flags);
   bool needsWritableDirectory() const;
   void openUnchanging();
+  Statement& prepared(const std::string& sql) const;
 
   std::string path_;
   sqlite3* connection_ = nullptr;
+  mutable std::map<std::string, std::unique_ptr<Statement>> prepared_;  ///< by their SQL
 };
 
 /// `"name"`: a quoted SQL identifier, for any text.
@@ -90,7 +97,7 @@ public:
   /// Goes back before the first row, with other values.
   void restart(const SqlValues& values = {});
 
-  /// Runs the statement with these values, and ignores the rows. @throws DatabaseError
+  /// Runs the statement with these values, and ignores further rows. @throws DatabaseError
   void run(const SqlValues& values = {});
 
   /// Advances to the next row. @return whether there is one @throws DatabaseError

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -49,11 +47,10 @@ private:
   void makeTables();
   void loadColumns();
   void addScalars(const nlohmann::ordered_json& summary, SummaryColumns& row) const;
-  Statement& insertion(const std::vector<std::string>& columns);
+  void insert(const std::vector<std::string>& columns, const SqlValues& values);
 
   Database database_;
   std::set<std::string> columns_;  ///< in lower case
-  std::map<std::string, std::unique_ptr<Statement>> insertions_;
 };
 
 /// YAML text as an integer, a number or text, according to its form; nothing as null.
