@@ -1,16 +1,14 @@
 #include "ratchet_sieve/sweep/sweep_report.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
+#include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/sweep/case.h"
 #include "ratchet_sieve/sweep/sweep_ledger.h"
 #include "ratchet_sieve/sweep/sweep_results.h"
@@ -19,9 +17,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-
-constexpr auto REDRAW_INTERVAL = std::chrono::milliseconds(100);
-constexpr const char* CLEAR_LINE = "\r\x1b[K";
 
 std::string failureText(const Database& database)
 {
@@ -118,19 +113,6 @@ std::string argumentsOf(const Sweep& sweep, std::uint64_t position)
 
 }  // namespace
 
-std::string durationText(double seconds)
-{
-  constexpr double DAY = 86400.0;
-  if (seconds >= 1000 * DAY)
-    return fmt::format("{:.3g} years", seconds / (365.25 * DAY));
-  if (seconds >= 2 * DAY)
-    return fmt::format("{:.0f} days", seconds / DAY);
-  const long whole = std::lround(seconds);
-  if (whole >= 3600)
-    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-  return fmt::format("{}:{:02}", whole / 60, whole % 60);
-}
-
 std::string sweepProgressText(const SweepProgress& progress)
 {
   const std::uint64_t finished = progress.done + progress.failed;
@@ -148,27 +130,6 @@ std::string sweepProgressText(const SweepProgress& progress)
         durationText(static_cast<double>(progress.cases - std::min(finished, progress.cases)) / rate));
   }
   return text;
-}
-
-SweepProgressLine::SweepProgressLine()
-    : visible_(isatty(STDERR_FILENO) == 1), next_(std::chrono::steady_clock::now())
-{
-}
-
-void SweepProgressLine::show(const SweepProgress& progress)
-{
-  const auto now = std::chrono::steady_clock::now();
-  if (!visible_ || now < next_)
-    return;
-  next_ = now + REDRAW_INTERVAL;
-  fmt::print(stderr, "\r{}\x1b[K", sweepProgressText(progress));
-  std::fflush(stderr);
-}
-
-SweepProgressLine::~SweepProgressLine()
-{
-  if (visible_)
-    std::fputs(CLEAR_LINE, stderr);
 }
 
 nlohmann::ordered_json reportBasis(const Sweep& sweep, const std::string& results, const std::string& scene)

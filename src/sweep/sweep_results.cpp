@@ -116,10 +116,8 @@ SweepResults::SweepResults(const Sweep& sweep, const std::string& path, Database
 void SweepResults::workOut(const LegalCases& cases)
 {
   database().execute("CREATE TEMP TABLE plan (position INTEGER PRIMARY KEY, run_hash TEXT UNIQUE)");
-  Transaction transaction(database());
   for (std::uint64_t k = sweep_.part.number - 1; k < cases.run_hashes.size(); k += sweep_.part.count)
     database().execute("INSERT OR IGNORE INTO plan VALUES (?, ?)", {k, cases.run_hashes[k]});
-  transaction.commit();
 }
 
 void SweepResults::list(const LegalCases& cases)

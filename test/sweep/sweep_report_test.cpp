@@ -23,14 +23,6 @@ TEST(SweepProgress, SaysWhatIsKnown)
             "118 of 240 done, 2 running, 2 failed, 6 with warnings  2 cases/s  1:00 to go");
 }
 
-TEST(SweepProgress, NamesADurationAsPeopleDo)
-{
-  EXPECT_EQ(durationText(7.2), "0:07");
-  EXPECT_EQ(durationText(3723.0), "1:02:03");
-  EXPECT_EQ(durationText(10 * 86400.0), "10 days");
-  EXPECT_EQ(durationText(3.2 * 365.25 * 86400.0), "3.2 years");
-}
-
 using Lines = std::vector<std::string>;
 
 TEST(WarningTally, SaysNothingOfCasesWithoutWarnings)
