@@ -71,7 +71,6 @@ ResultStore::ResultStore(const std::string& path, Database::Access access) : dat
                         version() + " reads format " + std::to_string(FORMAT));
   if (access == Database::Access::WRITE)
     makeTables();
-  loadColumns();
 }
 
 void ResultStore::makeTables()
@@ -86,12 +85,6 @@ void ResultStore::makeTables()
   transaction.commit();
 }
 
-void ResultStore::loadColumns()
-{
-  for (const std::string& name : columnNames())
-    columns_.insert(lowerCase(name));
-}
-
 std::vector<std::string> ResultStore::columnNames() const
 {
   std::vector<std::string> names;
@@ -101,29 +94,26 @@ std::vector<std::string> ResultStore::columnNames() const
   return names;
 }
 
-void ResultStore::forgetColumns()
+/// Their names in lower case.
+std::set<std::string> ResultStore::columns() const
 {
-  columns_.clear();
-  loadColumns();
+  std::set<std::string> columns;
+  for (const std::string& name : columnNames())
+    columns.insert(lowerCase(name));
+  return columns;
 }
 
 bool ResultStore::hasColumn(const std::string& name) const
 {
-  return columns_.count(lowerCase(name)) > 0;
+  return columns().count(lowerCase(name)) > 0;
 }
 
 void ResultStore::addColumns(const std::vector<std::string>& names)
 {
-  const auto known = [this](const std::string& name) { return hasColumn(name); };
-  if (std::all_of(names.begin(), names.end(), known))
-    return;
-  loadColumns();  // another process may have added them
+  std::set<std::string> known = columns();
   for (const std::string& name : names)
-    if (!hasColumn(name))
-    {
+    if (known.insert(lowerCase(name)).second)
       database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
-      columns_.insert(lowerCase(name));
-    }
 }
 
 void ResultStore::insert(const std::vector<std::string>& columns, const SqlValues& values)
@@ -152,10 +142,11 @@ void ResultStore::addScalars(const Json& summary, SummaryColumns& row) const
   std::set<std::string> taken;
   for (const auto& [name, value] : row)
     taken.insert(lowerCase(name));
-  std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, columns_.size());
+  const std::set<std::string> known = columns();
+  std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, known.size());
   for (auto& scalar : summaryColumns(summary))
   {
-    const bool is_new = !hasColumn(scalar.first);
+    const bool is_new = known.count(lowerCase(scalar.first)) == 0;
     if (!isColumnName(scalar.first) || (is_new && room == 0) || !taken.insert(lowerCase(scalar.first)).second)
       continue;
     room -= is_new ? 1 : 0;

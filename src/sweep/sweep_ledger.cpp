@@ -136,25 +136,17 @@ SweepLedger::SweepLedger(const Sweep& sweep, SweepResults& results) : results_(r
 std::optional<std::uint64_t> SweepLedger::exchange(const std::optional<CaseResult>& finished, bool begin_next)
 {
   std::optional<std::uint64_t> position;
-  try
+  Transaction transaction(results_.database());
+  if (finished)
   {
-    Transaction transaction(results_.database());
-    if (finished)
-    {
-      results_.store().record(*finished);
-      results_.database().execute("DELETE FROM under_way WHERE run_hash = ? AND physics = ?",
-                                  {finished->run_hash, PHYSICS_VERSION});
-      forgive(finished->run_hash);
-    }
-    if (begin_next)
-      position = begin();
-    transaction.commit();
+    results_.record(*finished);
+    results_.database().execute("DELETE FROM under_way WHERE run_hash = ? AND physics = ?",
+                                {finished->run_hash, PHYSICS_VERSION});
+    forgive(finished->run_hash);
   }
-  catch (const DatabaseError&)
-  {
-    results_.store().forgetColumns();
-    throw;
-  }
+  if (begin_next)
+    position = begin();
+  transaction.commit();
   if (finished)
   {
     ++progress_.finished_here;

@@ -168,12 +168,12 @@ void exportCsv(const Sweep& sweep, const std::string& results, std::ostream& out
 {
   const SweepResults file(sweep, results, Database::Access::READ);
   const std::vector<std::string> keys = sweep.keys();
-  const std::vector<std::string> names = exportColumns(file.store(), keys);
+  const std::vector<std::string> names = exportColumns(file, keys);
   std::string columns = "position";
   std::string line;
   for (const std::string& name : names)
   {
-    columns += ", " + (file.store().hasColumn(name) ? quotedName(name) : "NULL");
+    columns += ", " + (file.hasColumn(name) ? quotedName(name) : "NULL");
     line += (line.empty() ? "" : ",") + csvField(name);
   }
   Statement select(file.database(), "SELECT " + columns + " FROM results ORDER BY position");

@@ -96,7 +96,7 @@ std::optional<LegalCases> legalCases(const Sweep& sweep, const std::function<boo
 }
 
 SweepResults::SweepResults(const Sweep& sweep, const std::string& path, Database::Access access)
-    : sweep_(sweep), store_(path, access)
+    : ResultStore(path, access), sweep_(sweep)
 {
   database().execute("PRAGMA query_only = 0");  // it holds for temporary tables as well
   const auto id = database().value(
@@ -135,7 +135,7 @@ void SweepResults::list(const LegalCases& cases)
 SweepCounts SweepResults::counts() const
 {
   const auto count = [this](const char* rows)
-  { return store_.database().value(std::string("SELECT COUNT(*) FROM ") + rows).get<std::uint64_t>(); };
+  { return database().value(std::string("SELECT COUNT(*) FROM ") + rows).get<std::uint64_t>(); };
   SweepCounts counts;
   counts.cases = count("plan");
   counts.done = count("results WHERE status <> 'failed'");
@@ -147,9 +147,9 @@ SweepCounts SweepResults::counts() const
 WarningTally SweepResults::warnings() const
 {
   // Rows of earlier versions lack this column; their summaries are read one by one.
-  const char* with_some = store_.hasColumn("warnings") ? "AND COALESCE(r.warnings, 1) > 0 " : "";
+  const char* with_some = hasColumn("warnings") ? "AND COALESCE(r.warnings, 1) > 0 " : "";
   Statement select(
-      store_.database(),
+      database(),
       std::string("SELECT r.position, w.value FROM results r, json_each(r.summary, '$.warnings') w "
                   "WHERE r.status = 'done' ") +
           with_some + "ORDER BY r.position, w.key");
@@ -164,7 +164,7 @@ void SweepResults::fillValues()
   const std::vector<std::string> keys = sweep_.keys();
   if (keys.empty() || database().value("SELECT COUNT(*) FROM sweeps") == 1)
     return;
-  store_.addColumns(keys);
+  addColumns(keys);
   std::string missing;
   std::string assignments;
   for (const std::string& key : keys)

@@ -275,7 +275,7 @@ SweepOutcome runSweep(const Sweep& sweep, const std::string& path, const SweepRu
   const std::unique_ptr<SweepResults> results = openResults(sweep, path, options);
   if (!results)
     return {{}, true};
-  removeLeftovers(results->store());
+  removeLeftovers(*results);
   if (options.retry_failed)
     results->removeFailed();
   SweepOutcome outcome;
@@ -311,7 +311,7 @@ void mergeResults(const Sweep& sweep, const LegalCases& cases, const std::string
   for (const std::string& part : parts)
   {
     Transaction transaction(results.database());
-    results.store().copyFrom(ResultStore(part, Database::Access::READ));
+    results.copyFrom(ResultStore(part, Database::Access::READ));
     transaction.commit();
   }
   results.fillValues();

@@ -106,7 +106,6 @@ TEST_F(ResultStoreTest, UndoesColumnsWithTheTransaction)
     const Transaction transaction(store_.database());
     store_.record(result);
   }
-  store_.forgetColumns();
   EXPECT_FALSE(store_.hasColumn("a"));
   record(result);
   EXPECT_EQ(text("SELECT SUM(a) || COUNT(*) FROM cases"), "51");

@@ -40,17 +40,13 @@ public:
   /// failed. @pre a transaction is open @throws DatabaseError
   void copyFrom(const ResultStore& other);
 
-  /// To be called after a rollback, which also removes the columns added in the transaction.
-  void forgetColumns();
-
 private:
   void makeTables();
-  void loadColumns();
+  std::set<std::string> columns() const;
   void addScalars(const nlohmann::ordered_json& summary, SummaryColumns& row) const;
   void insert(const std::vector<std::string>& columns, const SqlValues& values);
 
   Database database_;
-  std::set<std::string> columns_;  ///< in lower case
 };
 
 /// YAML text as an integer, a number or text, according to its form; nothing as null.

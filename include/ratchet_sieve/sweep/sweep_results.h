@@ -76,18 +76,13 @@ std::optional<LegalCases> legalCases(const Sweep& sweep, const std::function<boo
 /// A results file as one sweep, or its part, sees it. Its connection has two views of the file: `plan`
 /// (position, run_hash) lists the sweep's cases, each once; `results` has the rows of `cases` of these and of
 /// this physics version, with their position.
-class SweepResults
+class SweepResults : public ResultStore
 {
 public:
   /// Opens a results file, or a new one to write. To read, cases that the file does not list are worked out,
   /// as of a sweep file that was changed since its run. @throws DatabaseError @throws SceneError if one is
   /// illegal
   SweepResults(const Sweep& sweep, const std::string& path, Database::Access access);
-
-  ResultStore& store() { return store_; }
-  const ResultStore& store() const { return store_; }
-  Database& database() { return store_.database(); }
-  const Database& database() const { return store_.database(); }
 
   /// Whether the file lists the sweep's cases, as it does once the sweep has been run.
   bool isListed() const { return is_listed_; }
@@ -111,7 +106,6 @@ private:
   void workOut(const LegalCases& cases);
 
   const Sweep& sweep_;
-  ResultStore store_;
   bool is_listed_;
 };
 
