@@ -48,14 +48,14 @@ constexpr std::int64_t NO_MORE = std::numeric_limits<std::int64_t>::max();
 
 /// The first case from ?2 on that is no suspect of the physics ?1, and has no result.
 constexpr const char* NEXT =
-    "SELECT position FROM plan WHERE position >= ?2 AND run_hash NOT IN "
+    "SELECT CAST(position AS INTEGER) FROM plan WHERE position >= ?2 AND run_hash NOT IN "
     "(SELECT run_hash FROM deaths WHERE physics = ?1) "
     "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = plan.run_hash AND physics = ?1) "
     "ORDER BY position LIMIT 1";
 
 /// The first suspect without a result.
 constexpr const char* NEXT_SUSPECT =
-    "SELECT MIN(position) FROM deaths JOIN plan USING (run_hash) WHERE physics = ?1 "
+    "SELECT CAST(MIN(position) AS INTEGER) FROM deaths JOIN plan USING (run_hash) WHERE physics = ?1 "
     "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = plan.run_hash AND physics = ?1)";
 
 }  // namespace
