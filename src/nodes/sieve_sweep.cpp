@@ -13,6 +13,7 @@
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/page/sweep_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
@@ -94,9 +95,9 @@ int run(const Sweep& sweep, SweepArguments& arguments)
   arguments.options.warn = warn;
   SweepOutcome outcome;
   {
-    SweepProgressLine line;
-    if (line.isVisible())
-      arguments.options.progress = [&line](const SweepProgress& progress) { line.show(progress); };
+    ProgressBar line;
+    arguments.options.progress = [&line](const SweepProgress& progress)
+    { line.show(sweepProgressText(progress)); };
     outcome = runSweep(sweep, arguments.results, arguments.options);
   }
   const SweepCounts& counts = outcome.counts;

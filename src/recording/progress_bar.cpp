@@ -18,15 +18,20 @@ namespace
 constexpr auto REDRAW_INTERVAL = std::chrono::milliseconds(100);
 constexpr int BAR_WIDTH = 24;  ///< [characters]
 
-std::string clockText(double seconds)
+}  // namespace
+
+std::string durationText(double seconds)
 {
-  const long whole = std::lround(std::min(seconds, 1e9));
+  constexpr double DAY = 86400.0;
+  if (seconds >= 1000 * DAY)
+    return fmt::format("{:.3g} years", seconds / (365.25 * DAY));
+  if (seconds >= 2 * DAY)
+    return fmt::format("{:.0f} days", seconds / DAY);
+  const long whole = std::lround(seconds);
   if (whole >= 3600)
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
-
-}  // namespace
 
 std::string progressText(double time, double duration, const Progress& progress)
 {
@@ -37,7 +42,7 @@ std::string progressText(double time, double duration, const Progress& progress)
   if (progress.wall > 0.0)
     text += fmt::format("  {:.2f} M events/s", 1e-6 * static_cast<double>(progress.events) / progress.wall);
   if (progress.simulated > 0.0 && done < 1.0)
-    text += fmt::format("  {} to go", clockText(progress.wall * (duration - time) / progress.simulated));
+    text += fmt::format("  {} to go", durationText(progress.wall * (duration - time) / progress.simulated));
   if (progress.certainty_ratio)
     text += fmt::format("  error {:.2g} x the requested one", *progress.certainty_ratio);
   return text;
@@ -64,6 +69,12 @@ void ProgressBar::draw(const std::string& line) const
 {
   fmt::print(stderr, "\r{}\x1b[K", line);
   std::fflush(stderr);
+}
+
+void ProgressBar::show(const std::string& line)
+{
+  if (isDue())
+    draw(line);
 }
 
 void ProgressBar::show(std::size_t poured, std::size_t of)

@@ -44,11 +44,6 @@ std::optional<std::string> valueAt(const YAML::Node& tree, const std::string& pa
   return flowText(node);
 }
 
-/// Thrown to cancel a pour.
-struct PourStopped
-{
-};
-
 class CaseRun
 {
 public:
@@ -59,30 +54,37 @@ public:
   /// @return the summary, or nothing if stopped
   std::optional<nlohmann::ordered_json> run(std::string& error)
   {
-    Checkpoint start = begin();
+    std::optional<Checkpoint> start = begin();
+    if (!start)
+      return std::nullopt;
     RunWatchers watchers;
     watchers.stop_wanted = options_.stop_wanted;
     watchers.save_period = options_.checkpoint_period;
     if (!options_.checkpoint.empty())
-      watchers.save = [this](const Simulation& now, const RunProgress& progress) { save(now, progress); };
+      watchers.save = [this](const Simulation& now, const RunProgress& progress)
+      {
+        if (now.time() < now.scene().duration)  // a completed run needs none
+          write([&] { writeCheckpoint(options_.checkpoint, now, progress); });
+      };
     CaseRecord record;
     if (options_.record)
     {
       record = options_.record(case_);
       watchers.frames.push_back({record.sink.get(), record.rates});
     }
-    RunOutcome outcome = runToEnd(start.simulation, watchers, start.progress);
+    RunOutcome outcome = runToEnd(start->simulation, watchers, start->progress);
     if (outcome.end == RunEnd::STOPPED)
       return std::nullopt;
     if (outcome.end == RunEnd::STALLED)
       error = outcome.warnings.empty() ? "inelastic collapse" : outcome.warnings.front();
     outcome.warnings.insert(outcome.warnings.begin(), case_.warnings.begin(), case_.warnings.end());
-    keep(record, outcome.warnings);
-    return summarize(start.simulation, outcome);
+    if (record.keep)
+      write([&] { record.keep(outcome.warnings); });
+    return summarize(start->simulation, outcome);
   }
 
 private:
-  Checkpoint begin() const
+  std::optional<Checkpoint> begin() const
   {
     if (!options_.checkpoint.empty() && std::filesystem::exists(options_.checkpoint))
     {
@@ -95,38 +97,19 @@ private:
         warn(std::string(error.what()) + "; the case restarts");
       }
     }
-    Simulation simulation(case_.scene, 0.0,
-                          [this](std::size_t, std::size_t)
-                          {
-                            if (options_.stop_wanted && options_.stop_wanted())
-                              throw PourStopped();
-                          });
-    const RunProgress progress = firstProgress(simulation);
-    return {progress, std::move(simulation)};
+    std::optional<Simulation> simulation = poured(case_.scene, options_.stop_wanted);
+    if (!simulation)
+      return std::nullopt;
+    const RunProgress progress = firstProgress(*simulation);
+    return Checkpoint{progress, std::move(*simulation)};
   }
 
-  /// A completed run needs no checkpoint.
-  void save(const Simulation& simulation, const RunProgress& progress) const
+  /// Warns if an output cannot be written.
+  void write(const std::function<void()>& output) const
   {
-    if (simulation.time() >= simulation.scene().duration)
-      return;
     try
     {
-      writeCheckpoint(options_.checkpoint, simulation, progress);
-    }
-    catch (const OutputError& error)
-    {
-      warn(error.what());
-    }
-  }
-
-  void keep(const CaseRecord& record, const std::vector<std::string>& warnings) const
-  {
-    if (!record.keep)
-      return;
-    try
-    {
-      record.keep(warnings);
+      output();
     }
     catch (const OutputError& error)
     {
@@ -215,6 +198,26 @@ std::string CaseBuilder::settingName(std::uint64_t point) const
   return text.empty() ? "the scene itself" : text;
 }
 
+std::optional<Simulation> poured(const SceneDefinition& scene, const std::function<bool()>& stop_wanted)
+{
+  struct Stopped
+  {
+  };
+  const auto look = [&stop_wanted](std::size_t, std::size_t)
+  {
+    if (stop_wanted && stop_wanted())
+      throw Stopped();
+  };
+  try
+  {
+    return Simulation(scene, 0.0, look);
+  }
+  catch (const Stopped&)
+  {
+    return std::nullopt;
+  }
+}
+
 CaseResult resultFor(const SweepCase& sweep_case)
 {
   CaseResult result;
@@ -236,10 +239,6 @@ std::optional<CaseResult> runCase(const SweepCase& sweep_case, const CaseRunOpti
     if (!summary)
       return std::nullopt;
     result.summary = std::move(*summary);
-  }
-  catch (const PourStopped&)
-  {
-    return std::nullopt;
   }
   catch (const std::exception& error)
   {

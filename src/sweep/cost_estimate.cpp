@@ -13,6 +13,7 @@
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/sweep/case.h"
 
 namespace ratchet_sieve
@@ -47,39 +48,24 @@ double processorTime()
 /// @param limit of wall time. Nothing if the pour takes longer.
 std::optional<ShortRun> shortRun(const SceneDefinition& scene, Seconds limit)
 {
-  struct TooLate
-  {
-  };
   const auto start = std::chrono::steady_clock::now();
   const double cost_before = processorTime();
-  const auto late = [=] { return std::chrono::steady_clock::now() - start > limit; };
-  const auto in_time = [&late](std::size_t, std::size_t)
-  {
-    if (late())
-      throw TooLate();
-  };
-  try
-  {
-    Simulation simulation(scene, 0.0, in_time);
-    RunWatchers watchers;
-    watchers.stop_wanted = late;
-    const RunEnd end = runToEnd(simulation, watchers).end;
-    ShortRun run;
-    run.whole = end != RunEnd::STOPPED;
-    run.from = simulation.time();
-    run.at_start = static_cast<double>(disksAtStart(scene));
-    for (const SpeciesBins& bins : simulation.bins())
-    {
-      run.left += static_cast<double>(bins.counted());
-      run.on_base += static_cast<double>(bins.on_base);
-    }
-    run.cost = processorTime() - cost_before;
-    return run.from > 0.0 || run.whole ? std::optional(run) : std::nullopt;
-  }
-  catch (const TooLate&)
-  {
+  RunWatchers watchers;
+  watchers.stop_wanted = [=] { return std::chrono::steady_clock::now() - start > limit; };
+  std::optional<Simulation> simulation = poured(scene, watchers.stop_wanted);
+  if (!simulation)
     return std::nullopt;
+  ShortRun run;
+  run.whole = runToEnd(*simulation, watchers).end != RunEnd::STOPPED;
+  run.from = simulation->time();
+  run.at_start = static_cast<double>(disksAtStart(scene));
+  for (const SpeciesBins& bins : simulation->bins())
+  {
+    run.left += static_cast<double>(bins.counted());
+    run.on_base += static_cast<double>(bins.on_base);
   }
+  run.cost = processorTime() - cost_before;
+  return run.from > 0.0 || run.whole ? std::optional(run) : std::nullopt;
 }
 
 /// Of the whole run, in proportion to disks times time. A base that fills up is taken to go on so. [s]

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 #include <sqlite3.h>
@@ -16,6 +17,7 @@ namespace
 {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 /// Timeout for another process's write transaction [ms]. Transactions take milliseconds, but a disk may
 /// stall.
@@ -23,6 +25,8 @@ constexpr int BUSY_TIMEOUT = 60'000;
 
 /// Longest error of SQLite that is shown; it may contain names of a damaged file [characters].
 constexpr std::size_t LONGEST_REASON = 300;
+
+constexpr std::uint64_t LARGEST_INTEGER = std::numeric_limits<std::int64_t>::max();
 
 std::string unchangingUri(const std::string& path)
 {
@@ -34,6 +38,24 @@ std::string unchangingUri(const std::string& path)
     uri += std::isalnum(c) != 0 || c == '/' ? std::string(1, static_cast<char>(c)) : code;
   }
   return uri + "?immutable=1";
+}
+
+void bind(sqlite3_stmt* statement, int parameter, const Json& value)
+{
+  const auto bind_text = [&](const std::string& text)
+  { sqlite3_bind_text(statement, parameter, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT); };
+  if (value.is_string())
+    bind_text(value.get_ref<const std::string&>());
+  else if (value.is_number_unsigned() && value.get<std::uint64_t>() > LARGEST_INTEGER)
+    bind_text(value.dump());
+  else if (value.is_number_float())
+    sqlite3_bind_double(statement, parameter, value.get<double>());
+  else if (value.is_boolean())
+    sqlite3_bind_int64(statement, parameter, value.get<bool>() ? 1 : 0);
+  else if (value.is_number())
+    sqlite3_bind_int64(statement, parameter, value.get<std::int64_t>());
+  else
+    sqlite3_bind_null(statement, parameter);
 }
 
 }  // namespace
@@ -90,6 +112,7 @@ void Database::openUnchanging()
 
 Database::~Database()
 {
+  prepared_.clear();
   sqlite3_close(connection_);
 }
 
@@ -107,9 +130,26 @@ void Database::execute(const std::string& sql)
     fail();
 }
 
-std::int64_t Database::changes() const
+void Database::execute(const std::string& sql, const SqlValues& values)
 {
-  return sqlite3_changes(connection_);
+  prepared(sql).run(values);
+}
+
+Json Database::value(const std::string& sql, const SqlValues& values) const
+{
+  Statement& statement = prepared(sql);
+  statement.restart(values);
+  const Json value = statement.step() ? statement.value(0) : Json(nullptr);
+  statement.restart();
+  return value;
+}
+
+Statement& Database::prepared(const std::string& sql) const
+{
+  std::unique_ptr<Statement>& statement = prepared_[sql];
+  if (statement == nullptr)
+    statement = std::make_unique<Statement>(*this, sql);
+  return *statement;
 }
 
 void Database::fail() const
@@ -119,8 +159,6 @@ void Database::fail() const
   // A limit on the size of files also appears as a write error.
   if (code == SQLITE_FULL || code == SQLITE_IOERR_WRITE || code == SQLITE_IOERR_SHMSIZE)
     throw DatabaseFull(text);
-  if ((code & 0xff) == SQLITE_BUSY)  // for all extended codes
-    throw DatabaseBusy(text);
   throw DatabaseError(text);
 }
 
@@ -138,10 +176,12 @@ std::string lowerCase(std::string text)
   return text;
 }
 
-Statement::Statement(const Database& database, const std::string& sql) : database_(database)
+Statement::Statement(const Database& database, const std::string& sql, const SqlValues& values)
+    : database_(database)
 {
   if (sqlite3_prepare_v2(database.handle(), sql.c_str(), -1, &statement_, nullptr) != SQLITE_OK)
     database.fail();
+  restart(values);
 }
 
 Statement::~Statement()
@@ -149,34 +189,21 @@ Statement::~Statement()
   sqlite3_finalize(statement_);
 }
 
-Statement& Statement::bind(int parameter, std::int64_t value)
+void Statement::restart(const SqlValues& values)
 {
-  sqlite3_bind_int64(statement_, parameter, value);
-  return *this;
+  sqlite3_reset(statement_);
+  sqlite3_clear_bindings(statement_);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    bind(statement_, static_cast<int>(k) + 1, values[k]);
 }
 
-Statement& Statement::bind(int parameter, double value)
+void Statement::run(const SqlValues& values)
 {
-  sqlite3_bind_double(statement_, parameter, value);
-  return *this;
-}
-
-Statement& Statement::bind(int parameter, const std::string& value)
-{
-  sqlite3_bind_text(statement_, parameter, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT);
-  return *this;
-}
-
-Statement& Statement::bind(int parameter, std::nullptr_t)
-{
-  sqlite3_bind_null(statement_, parameter);
-  return *this;
-}
-
-Statement& Statement::bind(int parameter, const Statement& row, int column)
-{
-  sqlite3_bind_value(statement_, parameter, sqlite3_column_value(row.statement_, column));
-  return *this;
+  restart(values);
+  while (step())
+  {
+  }
+  sqlite3_reset(statement_);
 }
 
 bool Statement::step()
@@ -195,20 +222,6 @@ bool Statement::step()
   }
 }
 
-void Statement::run()
-{
-  while (step())
-  {
-  }
-  reset();
-}
-
-void Statement::reset()
-{
-  sqlite3_reset(statement_);
-  sqlite3_clear_bindings(statement_);
-}
-
 int Statement::columns() const
 {
   return sqlite3_column_count(statement_);
@@ -219,24 +232,24 @@ std::string Statement::columnName(int column) const
   return sqlite3_column_name(statement_, column);
 }
 
-bool Statement::isNull(int column) const
+Json Statement::value(int column) const
 {
-  return sqlite3_column_type(statement_, column) == SQLITE_NULL;
-}
-
-bool Statement::isReal(int column) const
-{
-  return sqlite3_column_type(statement_, column) == SQLITE_FLOAT;
+  switch (sqlite3_column_type(statement_, column))
+  {
+    case SQLITE_NULL:
+      return nullptr;
+    case SQLITE_INTEGER:
+      return integer(column);
+    case SQLITE_FLOAT:
+      return sqlite3_column_double(statement_, column);
+    default:
+      return text(column);
+  }
 }
 
 std::int64_t Statement::integer(int column) const
 {
   return sqlite3_column_int64(statement_, column);
-}
-
-double Statement::real(int column) const
-{
-  return sqlite3_column_double(statement_, column);
 }
 
 std::string Statement::text(int column) const

@@ -1,9 +1,6 @@
 #include "ratchet_sieve/sweep/result_store.h"
 
 #include <algorithm>
-#include <chrono>
-#include <limits>
-#include <thread>
 
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/version.h"
@@ -21,12 +18,6 @@ constexpr int APPLICATION_ID = 0x73696553;
 
 /// Incremented with every change of the tables below.
 constexpr int FORMAT = 1;
-
-constexpr int MOST_ATTEMPTS = 6000;
-constexpr auto BETWEEN_ATTEMPTS = std::chrono::milliseconds(10);
-
-const std::vector<std::string> FIXED_COLUMNS = {"run_hash", "version",   "scene_hash", "seed",    "status",
-                                                "error",    "wall_time", "host",       "summary", "physics"};
 
 constexpr const char* TABLES = R"(
   CREATE TABLE IF NOT EXISTS cases (
@@ -57,111 +48,41 @@ bool isColumnName(const std::string& name)
          std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' '; });
 }
 
-std::int64_t pragma(const Database& database, const std::string& name)
-{
-  Statement statement(database, "PRAGMA " + name);
-  return statement.step() ? statement.integer(0) : 0;
-}
-
-bool isEmpty(const Database& database)
-{
-  Statement statement(database, "SELECT COUNT(*) FROM sqlite_master");
-  return !statement.step() || statement.integer(0) == 0;
-}
-
-/// When several processes open the file, SQLite does not wait for the switch to the write-ahead log, but
-/// fails.
-void enterWriteAheadLog(const Database& database)
-{
-  for (int attempt = 1;; ++attempt)
-  {
-    try
-    {
-      pragma(database, "journal_mode = WAL");
-      return;
-    }
-    catch (const DatabaseBusy&)
-    {
-      if (attempt == MOST_ATTEMPTS)
-        throw;
-      std::this_thread::sleep_for(BETWEEN_ATTEMPTS);
-    }
-  }
-}
-
-/// Binds an unsigned 64-bit integer; as text if it is too large for SQL's signed integer.
-void bindUnsigned(Statement& statement, int parameter, std::uint64_t value)
-{
-  if (value <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
-    statement.bind(parameter, static_cast<std::int64_t>(value));
-  else
-    statement.bind(parameter, std::to_string(value));
-}
-
-void bindJson(Statement& statement, int parameter, const Json& value)
-{
-  if (value.is_boolean())
-    statement.bind(parameter, static_cast<std::int64_t>(value.get<bool>()));
-  else if (value.is_number_unsigned())
-    bindUnsigned(statement, parameter, value.get<std::uint64_t>());
-  else if (value.is_number_integer())
-    statement.bind(parameter, value.get<std::int64_t>());
-  else if (value.is_number())
-    statement.bind(parameter, value.get<double>());
-  else if (value.is_string())
-    statement.bind(parameter, value.get<std::string>());
-  else
-    statement.bind(parameter, nullptr);
-}
-
 }  // namespace
 
-void bindValue(Statement& statement, int parameter, const std::optional<std::string>& value)
+Json sqlValue(const std::optional<std::string>& value)
 {
   if (!value)
-  {
-    statement.bind(parameter, nullptr);
-    return;
-  }
+    return nullptr;
   if (const auto integer = parsed<std::int64_t>(*value))
-    statement.bind(parameter, *integer);
-  else if (const auto number = parsed<double>(*value))
-    statement.bind(parameter, *number);
-  else
-    statement.bind(parameter, *value);
+    return *integer;
+  if (const auto number = parsed<double>(*value))
+    return *number;
+  return *value;
 }
 
 ResultStore::ResultStore(const std::string& path, Database::Access access) : database_(path, access)
 {
-  // Tables before the header's marks: another process may be writing both at the same time.
-  const bool empty = isEmpty(database_);
-  if (empty ? access == Database::Access::READ : pragma(database_, "application_id") != APPLICATION_ID)
+  const bool empty = database_.value("SELECT COUNT(*) FROM sqlite_master") == 0;
+  if (empty ? access == Database::Access::READ : database_.value("PRAGMA application_id") != APPLICATION_ID)
     throw DatabaseError(path + ": is no results file of sieve_sweep");
-  if (const std::int64_t format = pragma(database_, "user_version"); !empty && format != FORMAT)
-    throw DatabaseError(path + ": is a results file of format " + std::to_string(format) +
-                        ", but ratchet_sieve " + version() + " reads format " + std::to_string(FORMAT));
+  if (const Json format = database_.value("PRAGMA user_version"); !empty && format != FORMAT)
+    throw DatabaseError(path + ": is a results file of format " + format.dump() + ", but ratchet_sieve " +
+                        version() + " reads format " + std::to_string(FORMAT));
   if (access == Database::Access::WRITE)
     makeTables();
-  loadColumns();
 }
 
 void ResultStore::makeTables()
 {
   // With the write-ahead log and this setting, commits survive the end of the process in any way, and nothing
   // waits for the disk.
-  enterWriteAheadLog(database_);
-  database_.execute("PRAGMA synchronous = NORMAL");
+  database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
   Transaction transaction(database_);
   database_.execute("PRAGMA application_id = " + std::to_string(APPLICATION_ID));
   database_.execute("PRAGMA user_version = " + std::to_string(FORMAT));
   database_.execute(TABLES);
   transaction.commit();
-}
-
-void ResultStore::loadColumns()
-{
-  for (const std::string& name : columnNames())
-    columns_.insert(lowerCase(name));
 }
 
 std::vector<std::string> ResultStore::columnNames() const
@@ -173,33 +94,29 @@ std::vector<std::string> ResultStore::columnNames() const
   return names;
 }
 
-void ResultStore::forgetColumns()
+/// Their names in lower case.
+std::set<std::string> ResultStore::columns() const
 {
-  columns_.clear();
-  insertions_.clear();
-  loadColumns();
+  std::set<std::string> columns;
+  for (const std::string& name : columnNames())
+    columns.insert(lowerCase(name));
+  return columns;
 }
 
 bool ResultStore::hasColumn(const std::string& name) const
 {
-  return columns_.count(lowerCase(name)) > 0;
+  return columns().count(lowerCase(name)) > 0;
 }
 
 void ResultStore::addColumns(const std::vector<std::string>& names)
 {
-  const auto known = [this](const std::string& name) { return hasColumn(name); };
-  if (std::all_of(names.begin(), names.end(), known))
-    return;
-  loadColumns();  // another process may have added them
+  std::set<std::string> known = columns();
   for (const std::string& name : names)
-    if (!hasColumn(name))
-    {
+    if (known.insert(lowerCase(name)).second)
       database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
-      columns_.insert(lowerCase(name));
-    }
 }
 
-Statement& ResultStore::insertion(const std::vector<std::string>& columns)
+void ResultStore::insert(const std::vector<std::string>& columns, const SqlValues& values)
 {
   std::string names;
   std::string marks;
@@ -208,81 +125,80 @@ Statement& ResultStore::insertion(const std::vector<std::string>& columns)
     names += (names.empty() ? "" : ", ") + quotedName(column);
     marks += marks.empty() ? "?" : ", ?";
   }
-  std::unique_ptr<Statement>& statement = insertions_[names];
-  if (statement == nullptr)
-    statement = std::make_unique<Statement>(
-        database_, "INSERT OR IGNORE INTO cases (" + names + ") VALUES (" + marks + ")");
-  return *statement;
+  database_.execute("INSERT OR IGNORE INTO cases (" + names + ") VALUES (" + marks + ")", values);
 }
 
-/// The scalars of its summary that get a column: each name once, and no more than the table can hold.
-SummaryColumns ResultStore::columnsOf(const CaseResult& result) const
+std::optional<std::string> ResultStore::statusOf(const std::string& run_hash) const
+{
+  const Json status =
+      database_.value("SELECT CAST(status AS TEXT) FROM cases WHERE run_hash = ? AND physics = ?",
+                      {run_hash, PHYSICS_VERSION});
+  return status.is_null() ? std::nullopt : std::optional(status.get<std::string>());
+}
+
+/// Adds those scalars that get a column: each name once, and no more than the table can hold.
+void ResultStore::addScalars(const Json& summary, SummaryColumns& row) const
 {
   std::set<std::string> taken;
-  for (const std::string& name : FIXED_COLUMNS)
+  for (const auto& [name, value] : row)
     taken.insert(lowerCase(name));
-  for (const auto& value : result.values)
-    taken.insert(lowerCase(value.first));
-  std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, columns_.size());
-  SummaryColumns columns;
-  for (auto& scalar : summaryColumns(result.summary))
+  const std::set<std::string> known = columns();
+  std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, known.size());
+  for (auto& scalar : summaryColumns(summary))
   {
-    const bool is_new = !hasColumn(scalar.first);
+    const bool is_new = known.count(lowerCase(scalar.first)) == 0;
     if (!isColumnName(scalar.first) || (is_new && room == 0) || !taken.insert(lowerCase(scalar.first)).second)
       continue;
     room -= is_new ? 1 : 0;
-    columns.push_back(std::move(scalar));
+    row.push_back(std::move(scalar));
   }
-  return columns;
 }
 
-bool ResultStore::record(const CaseResult& result)
+void ResultStore::record(const CaseResult& result)
 {
-  std::vector<std::string> columns = FIXED_COLUMNS;
-  for (const auto& value : result.values)
-    columns.push_back(value.first);
-  const SummaryColumns scalars = columnsOf(result);
-  for (const auto& scalar : scalars)
-    columns.push_back(scalar.first);
-  addColumns(columns);
-  Statement& statement = insertion(columns);
-  statement.bind(1, result.run_hash).bind(2, std::string(version())).bind(3, result.scene_hash);
-  bindUnsigned(statement, 4, result.seed);
-  statement.bind(5, std::string(result.error.empty() ? "done" : "failed"));
-  if (result.error.empty())
-    statement.bind(6, nullptr);
-  else
-    statement.bind(6, result.error);
-  statement.bind(7, result.wall_time).bind(8, result.host);
-  if (result.summary.is_null())
-    statement.bind(9, nullptr);
-  else
-    statement.bind(9, result.summary.dump(-1, ' ', false, Json::error_handler_t::replace));
-  statement.bind(10, PHYSICS_VERSION);
-  int parameter = static_cast<int>(FIXED_COLUMNS.size());
-  for (const auto& value : result.values)
-    bindValue(statement, ++parameter, value.second);
-  for (const auto& scalar : scalars)
-    bindJson(statement, ++parameter, scalar.second);
-  statement.run();
-  return database_.changes() > 0;
+  const bool done = result.error.empty();
+  Json text = nullptr;  // of the summary
+  if (!result.summary.is_null())
+    text = result.summary.dump(-1, ' ', false, Json::error_handler_t::replace);
+  SummaryColumns row = {{"run_hash", result.run_hash},
+                        {"version", version()},
+                        {"scene_hash", result.scene_hash},
+                        {"seed", result.seed},
+                        {"status", done ? "done" : "failed"},
+                        {"error", done ? Json(nullptr) : Json(result.error)},
+                        {"wall_time", result.wall_time},
+                        {"host", result.host},
+                        {"summary", text},
+                        {"physics", PHYSICS_VERSION}};
+  for (const auto& [key, value] : result.values)
+    row.emplace_back(key, sqlValue(value));
+  addScalars(result.summary, row);
+  std::vector<std::string> names;
+  SqlValues values;
+  for (auto& [name, value] : row)
+  {
+    names.push_back(name);
+    values.push_back(std::move(value));
+  }
+  addColumns(names);
+  insert(names, values);
 }
 
 void ResultStore::copyFrom(const ResultStore& other)
 {
   const std::vector<std::string> columns = other.columnNames();
   addColumns(columns);
-  Statement rows(other.database(), "SELECT run_hash, status, * FROM cases WHERE physics = ?");
-  Statement replace(database_, "DELETE FROM cases WHERE run_hash = ? AND physics = ? AND status = 'failed'");
-  Statement& insert = insertion(columns);
-  rows.bind(1, PHYSICS_VERSION);
+  Statement rows(other.database(), "SELECT run_hash, status, * FROM cases WHERE physics = ?",
+                 {PHYSICS_VERSION});
   while (rows.step())
   {
     if (rows.text(1) == "done")
-      replace.bind(1, rows.text(0)).bind(2, PHYSICS_VERSION).run();
+      database_.execute("DELETE FROM cases WHERE run_hash = ? AND physics = ? AND status = 'failed'",
+                        {rows.text(0), PHYSICS_VERSION});
+    SqlValues values;
     for (int column = 2; column < rows.columns(); ++column)
-      insert.bind(column - 1, rows, column);
-    insert.run();
+      values.push_back(rows.value(column));
+    insert(columns, values);
   }
 }
 

@@ -22,10 +22,14 @@ bool isScalar(const Json& value)
   return value.is_number() || value.is_boolean() || value.is_null();
 }
 
-/// The species' names in columns. SQL ignores case in column names: if names differ only in case, the second
-/// in byte order gets the suffix ` (2)`, and so on.
-std::map<std::string, std::string> columnNames(const Json& species)
+/// Calls `add(each, name)` with each of the species, unless they are too many, and its name in columns. SQL
+/// ignores case in column names: if names differ only in case, the second in byte order gets the suffix `
+/// (2)`, and so on.
+template <typename Add>
+void forSpecies(const Json& species, const Add& add)
 {
+  if (species.size() > MOST_COLUMN_SPECIES)
+    return;
   std::map<std::string, std::string> names;
   for (const Json& each : species)
     names[each.at("name").get<std::string>()];
@@ -35,16 +39,6 @@ std::map<std::string, std::string> columnNames(const Json& species)
     const int place = ++alike[lowerCase(name)];
     column = place == 1 ? name : name + " (" + std::to_string(place) + ')';
   }
-  return names;
-}
-
-/// Calls `add(each, name)` with each of the species and its name in columns, unless they are too many.
-template <typename Add>
-void forSpecies(const Json& species, const Add& add)
-{
-  if (species.size() > MOST_COLUMN_SPECIES)
-    return;
-  const std::map<std::string, std::string> names = columnNames(species);
   for (const Json& each : species)
     add(each, names.at(each.at("name").get<std::string>()));
 }
@@ -57,28 +51,28 @@ void addScalars(const std::string& prefix, const Json& map, const std::string& n
       columns.emplace_back(fmt::format("{}{}.{}", prefix, field, name), value);
 }
 
-/// @param prefix of the columns' names
-void addSpecies(const std::string& prefix, const Json& species, SummaryColumns& columns)
-{
-  forSpecies(species,
-             [&](const Json& each, const std::string& name) { addScalars(prefix, each, name, columns); });
-}
-
-/// The scalars of each size class, numbered from 1.
-void addSizeClasses(const Json& species, SummaryColumns& columns)
-{
-  const auto add = [&columns](const Json& each, const std::string& name)
-  {
-    std::size_t number = 0;
-    for (const Json& one : each.value("size_classes", Json::array()))
-      addScalars(fmt::format("size_classes.{}.", ++number), one, name, columns);
-  };
-  forSpecies(species, add);
-}
-
 bool isOfSpecies(const Json& list)
 {
   return list.is_array() && !list.empty() && list[0].is_object() && list[0].contains("name");
+}
+
+/// A scalar; or those of each species, the components of a vector or the parts of a map, at any depth.
+void addParts(const std::string& key, const Json& value, SummaryColumns& columns)
+{
+  if (isScalar(value))
+    columns.emplace_back(key, value);
+  else if (isOfSpecies(value))
+    forSpecies(value,
+               [&, prefix = key == "species" ? "" : key + '.'](const Json& each, const std::string& name)
+               { addScalars(prefix, each, name, columns); });
+  else if (value.is_array() && value.size() == 2 && value[0].is_number())
+  {
+    columns.emplace_back(key + ".x", value[0]);
+    columns.emplace_back(key + ".y", value[1]);
+  }
+  else if (value.is_object())
+    for (const auto& [part, scalar] : value.items())
+      addParts(fmt::format("{}.{}", key, part), scalar, columns);
 }
 
 /// The number of warnings, and their texts.
@@ -100,25 +94,16 @@ void addCounted(const Json& species, SummaryColumns& columns)
   columns.emplace_back("counted", counted);
 }
 
-/// One column per component of a vector or key of a map, at any depth.
-void addParts(const std::string& key, const Json& value, SummaryColumns& columns)
+/// The scalars of each size class, numbered from 1.
+void addSizeClasses(const Json& species, SummaryColumns& columns)
 {
-  if (value.is_array() && value.size() == 2 && value[0].is_number())
+  const auto add = [&columns](const Json& each, const std::string& name)
   {
-    columns.emplace_back(key + ".x", value[0]);
-    columns.emplace_back(key + ".y", value[1]);
-  }
-  if (value.is_object())
-    for (const auto& [part, scalar] : value.items())
-    {
-      const std::string name = std::string(key).append(".").append(part);
-      if (isScalar(scalar))
-        columns.emplace_back(name, scalar);
-      else if (isOfSpecies(scalar))
-        addSpecies(name + '.', scalar, columns);
-      else
-        addParts(name, scalar, columns);
-    }
+    std::size_t number = 0;
+    for (const Json& one : each.value("size_classes", Json::array()))
+      addScalars(fmt::format("size_classes.{}.", ++number), one, name, columns);
+  };
+  forSpecies(species, add);
 }
 
 }  // namespace
@@ -130,25 +115,15 @@ SummaryColumns summaryColumns(const Json& summary)
     return columns;
   for (const auto& [key, value] : summary.items())
   {
-    if (LEFT_OUT.count(key) > 0)
-      continue;
-    if (isScalar(value))
-      columns.emplace_back(key, value);
-    else if (key == "species")
-    {
-      addSpecies("", value, columns);
-      addCounted(value, columns);
-    }
-    else if (key == "warnings")
-      addWarnings(value, columns);
-    else if (isOfSpecies(value))
-      addSpecies(key + '.', value, columns);
-    else
+    if (LEFT_OUT.count(key) == 0)
       addParts(key, value, columns);
+    if (key == "species")
+      addCounted(value, columns);
+    if (key == "warnings")
+      addWarnings(value, columns);
   }
   // Last, for they are many and there may be no room for all.
-  if (summary.contains("species"))
-    addSizeClasses(summary["species"], columns);
+  addSizeClasses(summary.value("species", Json::array()), columns);
   return columns;
 }
 

@@ -1,7 +1,6 @@
 #include "ratchet_sieve/sweep/sweep.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -10,8 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/core/fnv1a.h"
 #include "ratchet_sieve/core/physics_version.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/entry.h"
 #include "ratchet_sieve/scene/parsed.h"
 #include "ratchet_sieve/scene/scalars.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -41,6 +41,13 @@ std::string scalarFlowText(const YAML::Node& node)
   return plain ? text : quoted(text);
 }
 
+/// The values of one key: a list, or a range whose values are computed on demand.
+struct SweptValues
+{
+  std::uint64_t count = 0;
+  std::function<std::string(std::uint64_t)> at;  ///< YAML text
+};
+
 SweptValues readRange(const Entry& entry)
 {
   entry.requireKeys({"from", "to", "count"}, {"from", "to", "count"});
@@ -69,6 +76,68 @@ SweptValues readList(const Entry& entry)
   return {values->size(), [values](std::uint64_t k) { return (*values)[k]; }};
 }
 
+SweptValues readValues(const Entry& entry)
+{
+  if (entry.node().IsMap())
+    return readRange(entry);
+  if (!entry.node().IsSequence())
+    entry.refuseValue("must be a list of values, or {from: .., to: .., count: ..}");
+  return readList(entry);
+}
+
+/// `{KEY: VALUES, ...}`: the lists of these keys, stepped through together.
+Axis readTogether(const Entry& map, const std::string& place, const std::vector<std::string>& keys)
+{
+  std::vector<SweptValues> columns;
+  for (const std::string& key : keys)
+  {
+    columns.push_back(readValues(map.at(key)));
+    if (columns.back().count != columns.front().count)
+      map.at(key).refuse("has " + std::to_string(columns.back().count) + " values, but " + keys.front() +
+                         " has " + std::to_string(columns.front().count) +
+                         "; the lists of a zip must be equally long");
+  }
+  const auto at = [keys, columns](std::uint64_t k)
+  {
+    std::vector<Assignment> assignments;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      assignments.push_back({keys[i], columns[i].at(k)});
+    return assignments;
+  };
+  return {place, keys, columns.front().count, at, flowText(map.node())};
+}
+
+/// `{KEY: VALUE, ...}`.
+std::vector<Assignment> readAssignments(const Entry& map)
+{
+  std::vector<Assignment> assignments;
+  for (const std::string& key : map.keys())
+  {
+    if (map.at(key).node().IsNull())
+      map.at(key).refuse("must have a value");
+    assignments.push_back({key, flowText(map.at(key).node())});
+  }
+  return assignments;
+}
+
+/// `[{KEY: VALUE, ...}, ...]`: one after the other.
+Axis readCases(const Entry& cases)
+{
+  std::vector<std::string> keys;
+  const auto steps = std::make_shared<std::vector<std::vector<Assignment>>>();
+  for (const Entry& entry : cases.list())
+  {
+    steps->push_back(readAssignments(entry));
+    for (const Assignment& assignment : steps->back())
+      if (std::find(keys.begin(), keys.end(), assignment.key) == keys.end())
+        keys.push_back(assignment.key);
+  }
+  if (steps->empty())
+    cases.refuse("must have one case or more");
+  return {"cases", keys, steps->size(), [steps](std::uint64_t k) { return (*steps)[k]; },
+          flowText(cases.node())};
+}
+
 namespace fs = std::filesystem;
 
 constexpr std::size_t MOST_KEYS = 500;  ///< swept keys: each is a column, and SQLite allows 2000
@@ -91,17 +160,23 @@ void readScene(const Entry& root, Sweep& sweep)
 
 void readAxes(const Entry& root, Sweep& sweep)
 {
-  if (root.has("grid"))
+  for (const std::string place : {"grid", "zip"})
   {
-    const Entry grid = root.at("grid");
-    const std::vector<std::string> keys = grid.keys();
+    if (!root.has(place))
+      continue;
+    const Entry map = root.at(place);
+    const std::vector<std::string> keys = map.keys();
     if (keys.empty())
-      grid.refuse("must have one key or more");
-    for (const std::string& key : keys)
-      sweep.axes.push_back(readGridAxis(grid, key));
+      map.refuse("must have one key or more");
+    if (place == "zip")
+      sweep.axes.push_back(readTogether(map, place, keys));
+    else
+      for (const std::string& key : keys)
+      {
+        sweep.axes.push_back(readTogether(map, place, {key}));
+        sweep.axes.back().text = key + ": " + flowText(map.at(key).node());
+      }
   }
-  if (root.has("zip"))
-    sweep.axes.push_back(readZip(root.at("zip")));
   if (root.has("cases"))
     sweep.axes.push_back(readCases(root.at("cases")));
 }
@@ -164,14 +239,9 @@ void requireOnce(const Entry& root, const Sweep& sweep)
   };
   for (const Assignment& assignment : sweep.fixed)
     take(assignment.key, "set");
-  std::size_t k = 0;
-  if (root.has("grid"))
-    for (; k < root.at("grid").keys().size(); ++k)
-      take(sweep.axes[k].keys.front(), "grid");
-  for (const char* place : {"zip", "cases"})
-    if (root.has(place))
-      for (const std::string& key : sweep.axes[k++].keys)
-        take(key, place);
+  for (const Axis& axis : sweep.axes)
+    for (const std::string& key : axis.keys)
+      take(key, axis.place);
   requireNoneWithin(root, seen);
   if (sweep.keys().size() > MOST_KEYS)
     root.refuse("has more than " + std::to_string(MOST_KEYS) + " keys");
@@ -179,15 +249,10 @@ void requireOnce(const Entry& root, const Sweep& sweep)
 
 void requireCountable(const Entry& root, const Sweep& sweep)
 {
-  std::uint64_t product = sweep.seedCount();
-  bool countable = product <= MOST_CASES;
+  auto cases = static_cast<double>(sweep.seedCount());
   for (const Axis& axis : sweep.axes)
-  {
-    countable = countable && axis.size <= MOST_CASES / product;
-    if (countable)
-      product *= axis.size;
-  }
-  if (!countable)
+    cases *= static_cast<double>(axis.size);
+  if (cases > static_cast<double>(MOST_CASES))
     root.refuse("has more than " + std::to_string(MOST_CASES) + " cases");
 }
 
@@ -216,84 +281,6 @@ double rangeValue(double from, double to, std::uint64_t count, std::uint64_t k)
     return from;
   const double value = from + (to - from) * (static_cast<double>(k) / static_cast<double>(count - 1));
   return parsed<double>(fmt::format("{:.15g}", value)).value();
-}
-
-SweptValues readValues(const Entry& entry)
-{
-  if (entry.node().IsMap())
-    return readRange(entry);
-  if (!entry.node().IsSequence())
-    entry.refuseValue("must be a list of values, or {from: .., to: .., count: ..}");
-  return readList(entry);
-}
-
-Axis readGridAxis(const Entry& grid, const std::string& key)
-{
-  SweptValues values = readValues(grid.at(key));
-  return {{key},
-          values.count,
-          [key, at = std::move(values.at)](std::uint64_t k) {
-            return std::vector<Assignment>{{key, at(k)}};
-          },
-          key + ": " + flowText(grid.at(key).node())};
-}
-
-Axis readZip(const Entry& zip)
-{
-  Axis axis;
-  axis.keys = zip.keys();
-  if (axis.keys.empty())
-    zip.refuse("must have one key or more");
-  std::vector<SweptValues> columns;
-  for (const std::string& key : axis.keys)
-  {
-    columns.push_back(readValues(zip.at(key)));
-    if (columns.back().count != columns.front().count)
-      zip.at(key).refuse("has " + std::to_string(columns.back().count) + " values, but " + axis.keys.front() +
-                         " has " + std::to_string(columns.front().count) +
-                         "; the lists of a zip must be equally long");
-  }
-  axis.size = columns.front().count;
-  axis.text = flowText(zip.node());
-  axis.at = [keys = axis.keys, columns = std::move(columns)](std::uint64_t k)
-  {
-    std::vector<Assignment> assignments;
-    for (std::size_t i = 0; i < keys.size(); ++i)
-      assignments.push_back({keys[i], columns[i].at(k)});
-    return assignments;
-  };
-  return axis;
-}
-
-std::vector<Assignment> readAssignments(const Entry& map)
-{
-  std::vector<Assignment> assignments;
-  for (const std::string& key : map.keys())
-  {
-    if (map.at(key).node().IsNull())
-      map.at(key).refuse("must have a value");
-    assignments.push_back({key, flowText(map.at(key).node())});
-  }
-  return assignments;
-}
-
-Axis readCases(const Entry& cases)
-{
-  Axis axis;
-  const auto steps = std::make_shared<std::vector<std::vector<Assignment>>>();
-  for (const Entry& entry : cases.list())
-  {
-    steps->push_back(readAssignments(entry));
-    for (const Assignment& assignment : steps->back())
-      if (std::find(axis.keys.begin(), axis.keys.end(), assignment.key) == axis.keys.end())
-        axis.keys.push_back(assignment.key);
-  }
-  if (steps->empty())
-    cases.refuse("must have one case or more");
-  axis.size = steps->size();
-  axis.text = flowText(cases.node());
-  axis.at = [steps](std::uint64_t k) { return (*steps)[k]; };
-  return axis;
 }
 
 std::uint64_t Sweep::points() const
@@ -339,9 +326,7 @@ std::string Sweep::fingerprint() const
     text += ' ' + std::to_string(seed);
   if (part.count > 1)
     text += "\npart " + std::to_string(part.number) + ' ' + std::to_string(part.count);
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(fnv1a(text)));
-  return digits;
+  return hashText(text);
 }
 
 Sweep loadSweep(const std::string& path)

@@ -1,9 +1,10 @@
 #include "ratchet_sieve/sweep/sweep_ledger.h"
 
-#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -40,16 +41,22 @@ bool isThere(const std::string& path, int descriptor)
   return stat(path.c_str(), &named) == 0 && fstat(descriptor, &opened) == 0 && named.st_ino == opened.st_ino;
 }
 
-/// Interval between two scans of all results, at least ...
-constexpr auto BETWEEN_LOOKS = std::chrono::seconds(1);
-/// ... and at least this many times the duration of a scan.
-constexpr int TIMES_A_LOOK = 50;
-
 constexpr const char* DEADLY =
     "the process that ran it died twice: it crashed or was killed, as where memory is short";
 
-const std::string WITHOUT_RESULT =
-    "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = p.run_hash AND c.physics = ?2) ";
+constexpr std::int64_t NO_MORE = std::numeric_limits<std::int64_t>::max();
+
+/// The first case from ?2 on that is no suspect of the physics ?1, and has no result.
+constexpr const char* NEXT =
+    "SELECT CAST(position AS INTEGER) FROM plan WHERE position >= ?2 AND run_hash NOT IN "
+    "(SELECT run_hash FROM deaths WHERE physics = ?1) "
+    "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = plan.run_hash AND physics = ?1) "
+    "ORDER BY position LIMIT 1";
+
+/// The first suspect without a result.
+constexpr const char* NEXT_SUSPECT =
+    "SELECT CAST(MIN(position) AS INTEGER) FROM deaths JOIN plan USING (run_hash) WHERE physics = ?1 "
+    "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = plan.run_hash AND physics = ?1)";
 
 }  // namespace
 
@@ -109,97 +116,81 @@ bool ResultsLock::isHeld(const std::string& results)
   return is_held;
 }
 
-SweepLedger::SweepLedger(const Sweep& sweep, ResultStore& store, const SweepPlan& plan)
-    : sweep_(sweep),
-      store_(store),
-      plan_(plan),
-      open_(store.database(),
-            "SELECT position, run_hash FROM plan p WHERE sweep = ?1 AND position >= ?3 " + WITHOUT_RESULT +
-                "AND NOT EXISTS (SELECT 1 FROM deaths d WHERE d.run_hash = p.run_hash AND d.physics = ?2) "
-                "ORDER BY position LIMIT ?4"),
-      suspect_(store.database(),
-               "SELECT position, p.run_hash FROM deaths d CROSS JOIN plan p ON p.run_hash = d.run_hash "
-               "WHERE sweep = ?1 AND d.physics = ?2 " +
-                   WITHOUT_RESULT + "ORDER BY position LIMIT 1"),
-      begin_(store.database(), "INSERT INTO under_way (run_hash, physics) VALUES (?, ?)"),
-      end_(store.database(), "DELETE FROM under_way WHERE run_hash = ? AND physics = ?"),
-      forgive_(store.database(), "DELETE FROM deaths WHERE run_hash = ? AND physics = ?")
+SweepLedger::SweepLedger(const Sweep& sweep, SweepResults& results) : results_(results)
 {
-  static_cast<SweepCounts&>(progress_) = plan_.counts(store_.database());
+  static_cast<SweepCounts&>(progress_) = results.counts();
+  progress_.warned = results.warnings().warned();
+  CaseBuilder builder(sweep);
+  for (const std::uint64_t position : countDeaths())
+  {
+    CaseResult result = resultFor(builder.at(position));
+    result.error = DEADLY;
+    exchange(result, false);
+    deaths_ +=
+        fmt::format("{}case {} ({})", deaths_.empty() ? "" : ", ", position + 1, builder.name(position));
+  }
+  if (!deaths_.empty())
+    deaths_ += std::string(" failed: ") + DEADLY;
 }
 
-std::vector<std::uint64_t> SweepLedger::exchange(const std::vector<CaseResult>& results, std::size_t wanted)
+std::optional<std::uint64_t> SweepLedger::exchange(const std::optional<CaseResult>& finished, bool begin_next)
 {
-  std::vector<std::uint64_t> positions;
-  try
+  std::optional<std::uint64_t> position;
+  Transaction transaction(results_.database());
+  if (finished)
   {
-    Transaction transaction(store_.database());
-    for (const CaseResult& result : results)
-    {
-      store_.record(result);
-      end_.bind(1, result.run_hash).bind(2, PHYSICS_VERSION).run();
-      forgive_.bind(1, result.run_hash).bind(2, PHYSICS_VERSION).run();
-    }
-    if (wanted > 0)
-      positions = begin(wanted);
-    transaction.commit();
+    results_.record(*finished);
+    results_.database().execute("DELETE FROM under_way WHERE run_hash = ? AND physics = ?",
+                                {finished->run_hash, PHYSICS_VERSION});
+    forgive(finished->run_hash);
   }
-  catch (const DatabaseError&)
+  if (begin_next)
+    position = begin();
+  transaction.commit();
+  if (finished)
   {
-    store_.forgetColumns();
-    throw;
+    ++progress_.finished_here;
+    ++(finished->error.empty() ? progress_.done : progress_.failed);
+    progress_.warned += finished->error.empty() && !finished->summary.at("warnings").empty() ? 1 : 0;
   }
-  progress_.finished_here += results.size();
-  for (const CaseResult& result : results)
-    ++(result.error.empty() ? progress_.done : progress_.failed);
-  return positions;
+  return position;
 }
 
-std::vector<std::uint64_t> SweepLedger::begin(std::size_t most)
+std::optional<std::uint64_t> SweepLedger::begin()
 {
-  plan_.bind(open_).bind(3, cursor_);
-  std::vector<std::uint64_t> positions = begin(open_.bind(4, static_cast<std::int64_t>(most)));
-  if (!positions.empty())
-    cursor_ = static_cast<std::int64_t>(positions.back()) + 1;
-  else if (!runsSuspect())
-    return begin(plan_.bind(suspect_));
-  return positions;
-}
-
-/// Begins the cases that a statement selects.
-std::vector<std::uint64_t> SweepLedger::begin(Statement& select)
-{
-  std::vector<std::uint64_t> positions;
-  std::vector<std::string> hashes;
-  while (select.step())
-  {
-    positions.push_back(static_cast<std::uint64_t>(select.integer(0)));
-    hashes.push_back(select.text(1));
-  }
-  select.reset();
-  for (const std::string& hash : hashes)
-    begin_.bind(1, hash).bind(2, PHYSICS_VERSION).run();
-  return positions;
+  Database& database = results_.database();
+  nlohmann::ordered_json position = database.value(NEXT, {PHYSICS_VERSION, cursor_});
+  cursor_ = position.is_null() ? NO_MORE : position.get<std::int64_t>() + 1;
+  waits_ = position.is_null() && runsSuspect();
+  if (position.is_null() && !waits_)
+    position = database.value(NEXT_SUSPECT, {PHYSICS_VERSION});
+  if (position.is_null())
+    return std::nullopt;
+  database.execute("INSERT INTO under_way SELECT run_hash, ? FROM plan WHERE position = ?",
+                   {PHYSICS_VERSION, position});
+  return position.get<std::uint64_t>();
 }
 
 /// Whether a suspect is under way. It is none any more if it has written a checkpoint since.
 bool SweepLedger::runsSuspect()
 {
-  std::string hash;
-  std::string place;
-  Statement select(store_.database(),
+  Statement select(results_.database(),
                    "SELECT run_hash, place FROM deaths JOIN under_way USING (run_hash, physics) "
-                   "WHERE physics = ?");
-  if (select.bind(1, PHYSICS_VERSION).step())
-  {
-    hash = select.text(0);
-    place = select.text(1);
-  }
-  select.reset();
-  if (hash.empty() || placeOf(hash) == place)
-    return !hash.empty();
-  forgive_.bind(1, hash).bind(2, PHYSICS_VERSION).run();
+                   "WHERE physics = ?",
+                   {PHYSICS_VERSION});
+  if (!select.step())
+    return false;
+  const std::string run_hash = select.text(0);
+  if (placeOf(run_hash) == select.text(1))
+    return true;
+  forgive(run_hash);
   return false;
+}
+
+void SweepLedger::forgive(const std::string& run_hash)
+{
+  results_.database().execute("DELETE FROM deaths WHERE run_hash = ? AND physics = ?",
+                              {run_hash, PHYSICS_VERSION});
 }
 
 /// How far a case has come: the time of its checkpoint's file, empty if there is none.
@@ -207,75 +198,39 @@ std::string SweepLedger::placeOf(const std::string& run_hash) const
 {
   std::error_code error;
   const auto written =
-      std::filesystem::last_write_time(checkpointPath(store_.database().path(), run_hash), error);
+      std::filesystem::last_write_time(checkpointPath(results_.database().path(), run_hash), error);
   return error ? "" : std::to_string(written.time_since_epoch().count());
-}
-
-std::string SweepLedger::recordDeaths()
-{
-  std::vector<CaseResult> results;
-  std::string text;
-  CaseBuilder builder(sweep_);
-  for (const std::uint64_t position : countDeaths())
-  {
-    results.push_back(resultFor(builder.at(position)));
-    results.back().error = DEADLY;
-    text += fmt::format("{}case {} ({})", text.empty() ? "" : ", ", position + 1, builder.name(position));
-  }
-  if (results.empty())
-    return "";
-  exchange(results, 0);
-  return text + " failed: " + DEADLY;
 }
 
 /// @return the positions of those cases that were suspect before
 std::vector<std::uint64_t> SweepLedger::countDeaths()
 {
-  Transaction transaction(store_.database());
-  Statement select(store_.database(),
-                   "SELECT p.position, u.run_hash, d.place FROM under_way u JOIN plan p ON p.sweep = ?1 AND "
-                   "p.run_hash = u.run_hash LEFT JOIN deaths d ON d.run_hash = u.run_hash AND "
-                   "d.physics = u.physics WHERE u.physics = ?2");
-  Statement insert(store_.database(),
-                   "INSERT OR REPLACE INTO deaths (run_hash, physics, place) VALUES (?, ?, ?)");
+  Database& database = results_.database();
+  Transaction transaction(database);
+  Statement select(database,
+                   "SELECT position, run_hash, place FROM under_way JOIN plan USING (run_hash) "
+                   "LEFT JOIN deaths USING (run_hash, physics) WHERE physics = ?",
+                   {PHYSICS_VERSION});
   std::vector<std::uint64_t> deadly;
-  plan_.bind(select);
   while (select.step())
   {
-    const std::string hash = select.text(1);
-    const std::string place = placeOf(hash);
-    if (!select.isNull(2) && select.text(2) == place)
+    const std::string place = placeOf(select.text(1));
+    if (select.value(2) == place)
       deadly.push_back(static_cast<std::uint64_t>(select.integer(0)));
-    insert.bind(1, hash).bind(2, PHYSICS_VERSION).bind(3, place).run();
+    database.execute("INSERT OR REPLACE INTO deaths (run_hash, physics, place) VALUES (?, ?, ?)",
+                     {select.text(1), PHYSICS_VERSION, place});
   }
-  store_.database().execute("DELETE FROM under_way");
+  database.execute("DELETE FROM under_way");
   transaction.commit();
   return deadly;
 }
 
-void SweepLedger::forgetUnfinished()
+SweepProgress SweepLedger::progress() const
 {
-  Transaction transaction(store_.database());
-  store_.database().execute("DELETE FROM under_way");
-  transaction.commit();
-}
-
-SweepProgress SweepLedger::progress(std::uint64_t running)
-{
-  progress_.running = running;
-  progress_.wall = std::chrono::duration<double>(Clock::now() - start_).count();
-  countWarnings();
-  return progress_;
-}
-
-void SweepLedger::countWarnings()
-{
-  const Clock::time_point begin = Clock::now();
-  if (begin < next_look_)
-    return;
-  progress_.warned = plan_.warnings(store_).warned();
-  const Clock::time_point end = Clock::now();
-  next_look_ = end + std::max<Clock::duration>(BETWEEN_LOOKS, TIMES_A_LOOK * (end - begin));
+  SweepProgress progress = progress_;
+  progress.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  progress.running = results_.database().value("SELECT COUNT(*) FROM under_way").get<std::uint64_t>();
+  return progress;
 }
 
 }  // namespace ratchet_sieve

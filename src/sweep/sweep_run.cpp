@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <exception>
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <set>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -15,7 +20,6 @@
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/sweep/case.h"
-#include "ratchet_sieve/sweep/case_pool.h"
 #include "ratchet_sieve/sweep/sweep_ledger.h"
 
 namespace ratchet_sieve
@@ -24,23 +28,10 @@ namespace
 {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
-/// Results are collected for this long, unless a thread waits for work: a transaction costs as much as a
-/// small case.
-constexpr auto GATHER = std::chrono::milliseconds(20);
-/// Interval at which the main thread checks whether to stop.
+/// Interval at which the main thread checks whether to stop, and a thread without a case whether there is
+/// one.
 constexpr auto POLL_PERIOD = std::chrono::milliseconds(100);
-/// Work begun in advance for the threads [s]; none if cases take longer, so that few are suspect after a
-/// kill.
-constexpr double BEGUN_AHEAD = 0.05;
-constexpr double MOST_AHEAD = 2000.0;  ///< [cases]
-constexpr double RATE_WEIGHT = 0.3;    ///< weight of the newest rate in the running mean
-
-double secondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::size_t threadCount(std::size_t wanted)
 {
@@ -48,189 +39,196 @@ std::size_t threadCount(std::size_t wanted)
 }
 
 /// Removes checkpoints of cases with a result, which a killed process has left.
-void removeLeftovers(const Database& database)
+void removeLeftovers(const ResultStore& store)
 {
-  Statement select(database, "SELECT 1 FROM cases WHERE run_hash = ? AND physics = ?");
-  for (const fs::directory_entry& entry : fs::directory_iterator(workDirectory(database.path())))
+  for (const fs::directory_entry& entry : fs::directory_iterator(workDirectory(store.database().path())))
   {
     const std::string name = entry.path().filename().string();
     const std::size_t dot = name.find(checkpointEnding());
-    if (dot == std::string::npos)
-      continue;
     std::error_code ignored;
-    if (select.bind(1, name.substr(0, dot)).bind(2, PHYSICS_VERSION).step())
+    if (dot != std::string::npos && store.statusOf(name.substr(0, dot)))
       fs::remove(entry.path(), ignored);
-    select.reset();
   }
 }
 
+/// Threads that take a case, run it, and take the next one as they give its result.
 class SweepRun
 {
 public:
-  SweepRun(const Sweep& sweep, ResultStore& store, const SweepPlan& plan, const SweepRunOptions& options)
-      : options_(options),
-        store_(store),
-        plan_(plan),
-        ledger_(sweep, store, plan),
-        threads_wanted_(threadCount(options.threads)),
-        pool_(threads_wanted_, [this, &sweep] { return makeWork(sweep); })
+  SweepRun(const Sweep& sweep, SweepResults& results, const SweepRunOptions& options)
+      : sweep_(sweep), options_(options), results_(results), ledger_(sweep, results)
   {
   }
-  ~SweepRun() { stop_ = true; }
+  ~SweepRun()
+  {
+    stop_ = true;
+    for (std::thread& thread : threads_)
+      thread.join();
+  }
   SweepRun(const SweepRun&) = delete;
   SweepRun& operator=(const SweepRun&) = delete;
 
-  std::size_t threads() const { return pool_.threads(); }
-  std::size_t threadsWanted() const { return threads_wanted_; }
-
-  /// @return whether it was stopped
-  bool run()
+  /// Runs cases in this number of threads, or as many as the system provides, if none in this one.
+  /// @return the number of threads
+  std::size_t run(std::size_t wanted)
   {
-    if (threads() < threads_wanted_ && options_.warn)
-      options_.warn(fewerThreadsText(threads(), threads_wanted_));
-    if (const std::string text = ledger_.recordDeaths(); !text.empty() && options_.warn)
-      options_.warn(text);
-    try
-    {
-      runAll();
-    }
-    catch (const DatabaseFull& error)
-    {
-      giveUp(error.what());
-    }
+    warn(ledger_.deaths());
+    start(wanted);
+    const std::size_t threads = std::max<std::size_t>(threads_.size(), 1);
+    if (threads < wanted)
+      warn(fewerThreadsText(threads, wanted));
+    if (threads_.empty())
+      serve();
+    watch(threads);
+    if (error_)
+      fail();
     ledger_.forgetUnfinished();
-    return stopWanted();
+    return threads;
+  }
+
+  /// Once it is so, it stays.
+  bool stopWanted()
+  {
+    if (options_.stop_wanted && options_.stop_wanted())
+      stop_ = true;
+    return stop_;
   }
 
 private:
-  CasePool::Work makeWork(const Sweep& sweep)
+  [[noreturn]] void fail() const
   {
-    const auto builder = std::make_shared<CaseBuilder>(sweep);
-    return [this, builder](std::uint64_t position) -> std::optional<CaseResult>
+    try
     {
-      if (stopWanted())
-        return std::nullopt;
-      const SweepCase& next = builder->at(position);
-      CaseRunOptions options;
-      if (!options_.record)
-        options.checkpoint = checkpointPath(store_.database().path(), runHash(next.scene));
-      options.record = options_.record;
-      options.checkpoint_period = options_.checkpoint_period;
-      options.stop_wanted = [this] { return stopWanted(); };
-      options.warn = options_.warn;
-      return runCase(next, options);
-    };
+      std::rethrow_exception(error_);
+    }
+    catch (const DatabaseFull& error)
+    {
+      throw DatabaseFull(std::string(error.what()) + "; stored results are safe, " +
+                         countText(unsaved_, "finished case") +
+                         " could not be stored: free some space and start again");
+    }
   }
 
-  bool stopWanted() const { return stop_ || (options_.stop_wanted && options_.stop_wanted()); }
+  void start(std::size_t threads)
+  {
+    try
+    {
+      while (threads_.size() < threads)
+        threads_.emplace_back([this] { serve(); });
+    }
+    catch (const std::system_error&)
+    {
+      // The system provides no more.
+    }
+  }
 
-  void runAll()
+  /// Until all threads have ended.
+  void watch(std::size_t threads)
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (true)
+    {
+      const bool ended = ended_ == threads;
+      const SweepProgress progress = ledger_.progress();
+      lock.unlock();
+      if (options_.progress)
+        options_.progress(progress);
+      if (ended)
+        return;
+      stopWanted();
+      lock.lock();
+      if (ended_ < threads)
+        news_.wait_for(lock, POLL_PERIOD);
+    }
+  }
+
+  /// The work of a thread.
+  void serve()
+  {
+    std::optional<CaseResult> result;
+    std::exception_ptr error;
+    try
+    {
+      CaseBuilder builder(sweep_);
+      while (const std::optional<std::uint64_t> position = exchange(result))
+        result = runNext(builder.at(*position));
+    }
+    catch (...)
+    {
+      error = std::current_exception();
+    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (error)
+    {
+      stop_ = true;
+      error_ = error_ ? error_ : error;
+      unsaved_ += result ? 1 : 0;
+    }
+    ++ended_;
+    news_.notify_one();
+  }
+
+  /// Stores a result, if there is one, which is taken. @return the next case; nothing if there is none, or to
+  /// stop
+  std::optional<std::uint64_t> exchange(std::optional<CaseResult>& result)
   {
     while (true)
     {
       const bool stopping = stopWanted();
-      exchange(stopping ? 0 : wanted());
-      showProgress();
-      if (pool_.unfinished() == 0)
       {
-        if (!stopping)
-          requireAllRun();
-        return;
+        const std::lock_guard<std::mutex> lock(mutex_);
+        const std::optional<std::uint64_t> next = ledger_.exchange(result, !stopping);
+        if (result)
+        {
+          std::error_code ignored;
+          fs::remove(checkpointPath(results_.database().path(), result->run_hash), ignored);
+          result.reset();
+          news_.notify_one();
+        }
+        if (next || stopping || !ledger_.waits())
+          return next;
       }
-      takeFinished();
+      std::this_thread::sleep_for(POLL_PERIOD);
     }
   }
 
-  std::size_t wanted() const
+  std::optional<CaseResult> runNext(const SweepCase& next)
   {
-    const double ahead = std::min(rate_ * BEGUN_AHEAD, MOST_AHEAD);
-    const std::size_t target = pool_.threads() + static_cast<std::size_t>(ahead);
-    return target - std::min(target, pool_.unfinished());
+    CaseRunOptions options;
+    if (!options_.record)
+      options.checkpoint = checkpointPath(results_.database().path(), runHash(next.scene));
+    options.record = options_.record;
+    options.checkpoint_period = options_.checkpoint_period;
+    options.stop_wanted = [this] { return stopWanted(); };
+    options.warn = options_.warn;
+    return runCase(next, options);
   }
 
-  void takeFinished()
+  void warn(const std::string& text) const
   {
-    std::vector<FinishedCase> finished = pool_.take(GATHER, POLL_PERIOD);
-    for (FinishedCase& each : finished)
-      if (each.result)
-        unsaved_.push_back(std::move(*each.result));
+    if (options_.warn && !text.empty())
+      options_.warn(text);
   }
 
-  /// Stores finished cases, and begins new ones.
-  void exchange(std::size_t wanted)
-  {
-    if (unsaved_.empty() && wanted == 0)
-      return;
-    pool_.give(ledger_.exchange(unsaved_, wanted));
-    forgetSaved();
-  }
-
-  void forgetSaved()
-  {
-    for (const CaseResult& result : unsaved_)
-    {
-      std::error_code ignored;
-      fs::remove(checkpointPath(store_.database().path(), result.run_hash), ignored);
-    }
-    const double interval = secondsSince(last_saved_);
-    if (interval > 0.0)
-      rate_ += RATE_WEIGHT * (static_cast<double>(unsaved_.size()) / interval - rate_);
-    last_saved_ = Clock::now();
-    unsaved_.clear();
-  }
-
-  void showProgress()
-  {
-    const std::size_t running = pool_.unfinished() - std::min(pool_.unfinished(), pool_.waiting());
-    if (options_.progress)
-      options_.progress(ledger_.progress(running));
-  }
-
-  /// @throws DatabaseError if the hash of a case was another than in the file
-  void requireAllRun()
-  {
-    Database& database = store_.database();
-    if (plan_.counts(database).open() > 0)
-      throw DatabaseError(database.path() +
-                          ": lists other cases than the sweep has: remove it, or use another file");
-  }
-
-  /// Stops the threads, and tries once more to store the finished cases.
-  [[noreturn]] void giveUp(const std::string& reason)
-  {
-    stop_ = true;
-    while (pool_.unfinished() > 0)
-      takeFinished();
-    try
-    {
-      exchange(0);
-    }
-    catch (const DatabaseFull&)
-    {
-      // Reported below, with the number of cases affected.
-    }
-    throw DatabaseFull(reason + "; stored results are safe, " + countText(unsaved_.size(), "finished case") +
-                       " could not be stored: free some space and start again");
-  }
-
+  const Sweep& sweep_;
   const SweepRunOptions& options_;
-  ResultStore& store_;
-  const SweepPlan& plan_;
-  SweepLedger ledger_;
-  std::vector<CaseResult> unsaved_;
-  double rate_ = 0.0;  ///< running mean [cases/s]
-  Clock::time_point last_saved_ = Clock::now();
+  SweepResults& results_;
   std::atomic<bool> stop_{false};
-  std::size_t threads_wanted_;
-  CasePool pool_;  ///< last, because its threads use the other members
+  std::mutex mutex_;  ///< of all below
+  SweepLedger ledger_;
+  std::condition_variable news_;
+  std::size_t ended_ = 0;  ///< threads
+  std::exception_ptr error_;
+  std::size_t unsaved_ = 0;  ///< results lost by an error
+  std::vector<std::thread> threads_;
 };
 
 /// @throws DatabaseError for a result that is not of the sweep's cases @param planned their run_hash
 void requirePlanned(const ResultStore& part, const std::set<std::string>& planned, const Sweep& sweep)
 {
   const std::string& path = part.database().path();
-  Statement select(part.database(), "SELECT run_hash, MAX(physics = ?) FROM cases GROUP BY run_hash");
-  select.bind(1, PHYSICS_VERSION);
+  Statement select(part.database(), "SELECT run_hash, MAX(physics = ?) FROM cases GROUP BY run_hash",
+                   {PHYSICS_VERSION});
   while (select.step())
   {
     if (planned.count(select.text(0)) == 0)
@@ -243,25 +241,24 @@ void requirePlanned(const ResultStore& part, const std::set<std::string>& planne
 }
 
 /// Opens a results file, or a new one. Illegal cases are found before anything is written.
-/// @return the plan in the file, or else a new one; nothing if stopped @throws SceneError, DatabaseError
-std::optional<SweepPlan> openResults(const Sweep& sweep, const std::string& results,
-                                     std::optional<ResultStore>& store, const SweepRunOptions& options)
+/// @return nothing if stopped @throws SceneError, DatabaseError
+std::unique_ptr<SweepResults> openResults(const Sweep& sweep, const std::string& path,
+                                          const SweepRunOptions& options)
 {
-  if (fs::exists(results))
-  {
-    store.emplace(results, Database::Access::WRITE);
-    if (std::optional<SweepPlan> plan = SweepPlan::find(store->database(), sweep))
-      return plan;
-  }
+  const auto open = [&] { return std::make_unique<SweepResults>(sweep, path, Database::Access::WRITE); };
+  std::unique_ptr<SweepResults> results = fs::exists(path) ? open() : nullptr;
+  if (results && results->isListed())
+    return results;
   const std::optional<LegalCases> cases = legalCases(sweep, options.stop_wanted);
   if (!cases)
-    return std::nullopt;
+    return nullptr;
   if (options.warn)
     for (const std::string& line : cases->warnings.lines(sweep.size(), "case"))
       options.warn(line);
-  if (!store)
-    store.emplace(results, Database::Access::WRITE);
-  return SweepPlan::make(store->database(), sweep, *cases);
+  if (!results)
+    results = open();
+  results->list(*cases);
+  return results;
 }
 
 }  // namespace
@@ -272,25 +269,26 @@ std::string fewerThreadsText(std::size_t threads, std::size_t wanted)
          " could be started; the results are the same";
 }
 
-SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const SweepRunOptions& options)
+SweepOutcome runSweep(const Sweep& sweep, const std::string& path, const SweepRunOptions& options)
 {
-  const ResultsLock lock(results);
-  std::optional<ResultStore> store;
-  const std::optional<SweepPlan> plan = openResults(sweep, results, store, options);
-  if (!plan)
+  const ResultsLock lock(path);
+  const std::unique_ptr<SweepResults> results = openResults(sweep, path, options);
+  if (!results)
     return {{}, true};
-  removeLeftovers(store->database());
+  removeLeftovers(*results);
   if (options.retry_failed)
-    plan->removeFailed(store->database());
+    results->removeFailed();
   SweepOutcome outcome;
+  outcome.threads_wanted = threadCount(options.threads);
   {
-    SweepRun run(sweep, *store, *plan, options);
-    outcome.threads = run.threads();
-    outcome.threads_wanted = run.threadsWanted();
-    outcome.stopped = run.run();
+    SweepRun run(sweep, *results, options);
+    outcome.threads = run.run(outcome.threads_wanted);
+    outcome.stopped = run.stopWanted();
   }
-  plan->fillValues(*store, sweep);
-  outcome.counts = plan->counts(store->database());
+  results->fillValues();
+  outcome.counts = results->counts();
+  if (outcome.counts.open() > 0 && !outcome.stopped)
+    throw DatabaseError(path + ": lists other cases than the sweep has: remove it, or use another file");
   return outcome;
 }
 
@@ -303,20 +301,20 @@ LegalCases requireMergeable(const Sweep& sweep, const std::vector<std::string>& 
   return cases;
 }
 
-void mergeResults(const Sweep& sweep, const LegalCases& cases, const std::string& results,
+void mergeResults(const Sweep& sweep, const LegalCases& cases, const std::string& path,
                   const std::vector<std::string>& parts)
 {
-  const ResultsLock lock(results);
-  ResultStore store(results, Database::Access::WRITE);
-  const std::optional<SweepPlan> known = SweepPlan::find(store.database(), sweep);
-  const SweepPlan plan = known ? *known : SweepPlan::make(store.database(), sweep, cases);
+  const ResultsLock lock(path);
+  SweepResults results(sweep, path, Database::Access::WRITE);
+  if (!results.isListed())
+    results.list(cases);
   for (const std::string& part : parts)
   {
-    Transaction transaction(store.database());
-    store.copyFrom(ResultStore(part, Database::Access::READ));
+    Transaction transaction(results.database());
+    results.copyFrom(ResultStore(part, Database::Access::READ));
     transaction.commit();
   }
-  plan.fillValues(store, sweep);
+  results.fillValues();
 }
 
 }  // namespace ratchet_sieve

@@ -7,6 +7,14 @@ namespace ratchet_sieve
 namespace
 {
 
+TEST(ProgressBar, NamesADurationAsPeopleDo)
+{
+  EXPECT_EQ(durationText(7.2), "0:07");
+  EXPECT_EQ(durationText(3723.0), "1:02:03");
+  EXPECT_EQ(durationText(10 * 86400.0), "10 days");
+  EXPECT_EQ(durationText(3.2 * 365.25 * 86400.0), "3.2 years");
+}
+
 TEST(ProgressText, SaysHowFarHowFastAndHowLongYet)
 {
   const std::string quarter =

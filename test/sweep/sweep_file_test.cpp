@@ -7,7 +7,7 @@
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case.h"
-#include "ratchet_sieve/sweep/sweep_plan.h"
+#include "ratchet_sieve/sweep/sweep_results.h"
 #include "recording/errors.h"
 #include "sweep_files.h"
 

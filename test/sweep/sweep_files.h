@@ -34,7 +34,7 @@ inline std::map<std::string, std::map<std::string, std::string>> tableOf(const s
   {
     std::map<std::string, std::string> row;
     for (int k = 0; k < select.columns(); ++k)
-      row[select.columnName(k)] = select.isNull(k) ? "NULL" : select.text(k);
+      row[select.columnName(k)] = select.value(k).is_null() ? "NULL" : select.text(k);
     row.erase("wall_time");
     row.erase("host");
     nlohmann::ordered_json summary = nlohmann::ordered_json::parse(row["summary"]);

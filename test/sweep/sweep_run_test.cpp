@@ -33,6 +33,8 @@ constexpr const char* STALLING_CASE =
     "species.1.count: 0, "
     "duration: 100}";
 
+constexpr std::uint64_t NONE = 999;  ///< in place of a position
+
 class SweepRunTest : public testing::Test
 {
 protected:
@@ -268,26 +270,41 @@ TEST_F(SweepRunTest, FindsTheCaseAtWhichProcessesDie)
   none.stop_wanted = [] { return true; };
   runSweep(sweep, results_, none);
   const ResultsLock lock(results_);
-  ResultStore store(results_, Database::Access::WRITE);
-  const SweepPlan plan = *SweepPlan::find(store.database(), sweep);
-  using Positions = std::vector<std::uint64_t>;
-  EXPECT_EQ(SweepLedger(sweep, store, plan).exchange({}, 2), (Positions{0, 1}));
+  SweepResults results(sweep, results_, Database::Access::WRITE);
+  const auto begun = [](SweepLedger& ledger) { return ledger.exchange({}).value_or(NONE); };
+  SweepLedger first(sweep, results);
+  EXPECT_EQ(begun(first), 0u);
+  EXPECT_EQ(begun(first), 1u);
   EXPECT_EQ(status(sweep).rfind("3 cases: 0 done, 0 failed, 2 under way, 3 to go\n", 0), 0u);
-  {
-    SweepLedger second(sweep, store, plan);
-    EXPECT_EQ(second.recordDeaths(), "");
-    EXPECT_EQ(second.exchange({}, 10), Positions{2});
-    EXPECT_EQ(second.exchange({}, 10), Positions{0});
-    EXPECT_EQ(second.exchange({}, 10), Positions());  // one suspect at a time
-    std::ofstream(checkpointPath(results_, runHash(CaseBuilder(sweep).at(0).scene))) << "progress";
-    EXPECT_EQ(second.exchange({}, 10), Positions{1});
-  }
-  SweepLedger third(sweep, store, plan);
-  EXPECT_EQ(third.recordDeaths().rfind("case 2 (gravity=9) failed: the process that ran it died twice", 0),
-            0u);
-  EXPECT_EQ(third.exchange({}, 10), Positions{0});
+  SweepLedger second(sweep, results);
+  EXPECT_EQ(second.deaths(), "");
+  EXPECT_EQ(begun(second), 2u);
+  EXPECT_EQ(begun(second), 0u);
+  EXPECT_EQ(begun(second), NONE);  // one suspect at a time
+  EXPECT_TRUE(second.waits());
+  std::ofstream(checkpointPath(results_, runHash(CaseBuilder(sweep).at(0).scene))) << "progress";
+  EXPECT_EQ(begun(second), 1u);
+  SweepLedger third(sweep, results);
+  EXPECT_EQ(third.deaths().rfind("case 2 (gravity=9) failed: the process that ran it died twice", 0), 0u);
+  EXPECT_EQ(begun(third), 0u);
   third.forgetUnfinished();
   EXPECT_EQ(status(sweep).rfind("3 cases: 0 done, 1 failed, 0 under way, 2 to go\n", 0), 0u);
+}
+
+/// All cases are suspect: none is begun again once its checkpoint has cleared it.
+TEST_F(SweepRunTest, BeginsASuspectOnce)
+{
+  const Sweep sweep = load("");
+  const ResultsLock lock(results_);
+  SweepResults results(sweep, results_, Database::Access::WRITE);
+  results.list(*legalCases(sweep));
+  SweepLedger(sweep, results).exchange({});
+  SweepLedger ledger(sweep, results);
+  EXPECT_EQ(ledger.exchange({}), 0u);
+  std::ofstream(checkpointPath(results_, runHash(CaseBuilder(sweep).at(0).scene))) << "progress";
+  for (int again = 0; again < 2; ++again)
+    EXPECT_EQ(ledger.exchange({}), std::nullopt);
+  EXPECT_FALSE(ledger.waits());
 }
 
 TEST_F(SweepRunTest, HasPartsThatAreDisjointAndCompleteForAnyNumberOfThem)

@@ -21,6 +21,9 @@ struct Progress
   std::optional<double> certainty_ratio = std::nullopt;
 };
 
+/// `0:07`, `1:02:03`, `10 days`.
+std::string durationText(double seconds);
+
 /// One line of a progress bar: simulated time, percent, events per second of wall time, upper bound of the
 /// remaining time, statistical error.
 std::string progressText(double time, double duration, const Progress& progress);
@@ -34,6 +37,9 @@ public:
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// Any line.
+  void show(const std::string& line);
 
   /// Of a pour.
   void show(std::size_t poured, std::size_t of);

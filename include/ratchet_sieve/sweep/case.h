@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/sweep/sweep.h"
 
@@ -104,6 +105,9 @@ struct CaseRunOptions
   std::function<void(const std::string&)> warn;  ///< called for problems that do not end the case
   OpenRecord record;                             ///< @pre there is no checkpoint
 };
+
+/// A simulation at its beginning; nothing if it was stopped while its disks were placed.
+std::optional<Simulation> poured(const SceneDefinition& scene, const std::function<bool()>& stop_wanted);
 
 /// The result of a case that has not been run.
 CaseResult resultFor(const SweepCase& sweep_case);

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -23,14 +27,13 @@ struct DatabaseFull : DatabaseError
   using DatabaseError::DatabaseError;
 };
 
-/// Another process holds the database longer than the timeout, or in a way for which SQLite does not wait.
-struct DatabaseBusy : DatabaseError
-{
-  using DatabaseError::DatabaseError;
-};
-
 /// What SQLite calls a database that is in no file. It is refused: nothing of it would be left.
 constexpr const char* IN_MEMORY = ":memory:";
+
+/// Values for SQL: null, numbers, texts, and booleans as 0 and 1. An integer of 2^63 or more becomes a text.
+using SqlValues = std::vector<nlohmann::ordered_json>;
+
+class Statement;
 
 /// A connection to an SQLite file. For one thread.
 class Database
@@ -49,11 +52,14 @@ public:
 
   const std::string& path() const { return path_; }
 
-  /// Runs SQL that returns no rows. @throws DatabaseError
+  /// Runs SQL, and ignores the rows. @throws DatabaseError
   void execute(const std::string& sql);
 
-  /// Number of rows changed by the last statement.
-  std::int64_t changes() const;
+  /// Runs a statement, which is prepared once for all its values. @throws DatabaseError
+  void execute(const std::string& sql, const SqlValues& values);
+
+  /// The first value of the first row of such a statement, null if there is none. @throws DatabaseError
+  nlohmann::ordered_json value(const std::string& sql, const SqlValues& values = {}) const;
 
   /// @throws DatabaseError if the path now names another file or none
   void requireInPlace() const;
@@ -65,9 +71,11 @@ private:
   void open(const std::string& name, int flags);
   bool needsWritableDirectory() const;
   void openUnchanging();
+  Statement& prepared(const std::string& sql) const;
 
   std::string path_;
   sqlite3* connection_ = nullptr;
+  mutable std::map<std::string, std::unique_ptr<Statement>> prepared_;  ///< by their SQL
 };
 
 /// `"name"`: a quoted SQL identifier, for any text.
@@ -76,36 +84,30 @@ std::string quotedName(const std::string& name);
 /// A text with its ASCII letters in lower case: SQL compares names so.
 std::string lowerCase(std::string text);
 
-/// A prepared statement. Parameters are numbered from 1, columns from 0.
+/// A prepared statement, run from its first row on by step(). Columns are numbered from 0.
 class Statement
 {
 public:
-  /// @throws DatabaseError
-  Statement(const Database& database, const std::string& sql);
+  /// @param values of ?1, ?2, ... @throws DatabaseError
+  Statement(const Database& database, const std::string& sql, const SqlValues& values = {});
   ~Statement();
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
-  Statement& bind(int parameter, std::int64_t value);
-  Statement& bind(int parameter, double value);
-  Statement& bind(int parameter, const std::string& value);
-  Statement& bind(int parameter, std::nullptr_t);
-  Statement& bind(int parameter, const Statement& row, int column);  ///< the same value
+  /// Goes back before the first row, with other values.
+  void restart(const SqlValues& values = {});
+
+  /// Runs the statement with these values, and ignores further rows. @throws DatabaseError
+  void run(const SqlValues& values = {});
 
   /// Advances to the next row. @return whether there is one @throws DatabaseError
   bool step();
 
-  /// Runs a statement that returns no rows, and resets it for other parameters. @throws DatabaseError
-  void run();
-  void reset();
-
   int columns() const;
   std::string columnName(int column) const;
-  bool isNull(int column) const;
-  bool isReal(int column) const;
-  std::int64_t integer(int column) const;
-  double real(int column) const;
-  std::string text(int column) const;
+  nlohmann::ordered_json value(int column) const;
+  std::int64_t integer(int column) const;  ///< 0 for what is no number
+  std::string text(int column) const;      ///< of a number as well; empty for NULL
 
 private:
   const Database& database_;

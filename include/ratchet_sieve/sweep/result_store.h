@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -31,29 +29,27 @@ public:
   bool hasColumn(const std::string& name) const;
   std::vector<std::string> columnNames() const;
 
+  /// `done` or `failed`; nothing if the case has no row of this physics version. @throws DatabaseError
+  std::optional<std::string> statusOf(const std::string& run_hash) const;
+
   /// Adds a row unless the case has one. Scalars of the summary without a column are stored in its JSON only.
-  /// @pre a transaction is open @return whether the row was added @throws DatabaseError
-  bool record(const CaseResult& result);
+  /// @pre a transaction is open @throws DatabaseError
+  void record(const CaseResult& result);
 
   /// Adds the rows of this physics version in another file, whole, for cases that have no row here or have
   /// failed. @pre a transaction is open @throws DatabaseError
   void copyFrom(const ResultStore& other);
 
-  /// To be called after a rollback, which also removes the columns added in the transaction.
-  void forgetColumns();
-
 private:
   void makeTables();
-  void loadColumns();
-  SummaryColumns columnsOf(const CaseResult& result) const;
-  Statement& insertion(const std::vector<std::string>& columns);
+  std::set<std::string> columns() const;
+  void addScalars(const nlohmann::ordered_json& summary, SummaryColumns& row) const;
+  void insert(const std::vector<std::string>& columns, const SqlValues& values);
 
   Database database_;
-  std::set<std::string> columns_;  ///< in lower case
-  std::map<std::string, std::unique_ptr<Statement>> insertions_;
 };
 
-/// Binds YAML text as an integer, a number or text, according to its form; nothing as NULL.
-void bindValue(Statement& statement, int parameter, const std::optional<std::string>& value);
+/// YAML text as an integer, a number or text, according to its form; nothing as null.
+nlohmann::ordered_json sqlValue(const std::optional<std::string>& value);
 
 }  // namespace ratchet_sieve

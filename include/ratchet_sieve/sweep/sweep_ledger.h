@@ -1,13 +1,13 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ratchet_sieve/sweep/case.h"
-#include "ratchet_sieve/sweep/sweep_plan.h"
+#include "ratchet_sieve/sweep/sweep_results.h"
 
 namespace ratchet_sieve
 {
@@ -45,45 +45,39 @@ private:
 class SweepLedger
 {
 public:
-  /// @pre this process holds the ResultsLock
-  SweepLedger(const Sweep& sweep, ResultStore& store, const SweepPlan& plan);
+  /// Makes the cases under way suspect, for their process died. Those whose process died twice at the same
+  /// place get a result: they failed. @pre this process holds the ResultsLock @throws DatabaseError
+  SweepLedger(const Sweep& sweep, SweepResults& results);
 
-  /// Makes the cases under way suspect, for their process died. @return which failed, because their process
-  /// died twice at the same place; empty if none. They get a result. @throws DatabaseError
-  std::string recordDeaths();
+  /// One line on the cases that failed so, empty if there are none.
+  const std::string& deaths() const { return deaths_; }
 
-  /// In one transaction: stores results, and begins up to `wanted` cases without a result, or one suspect.
-  /// @return their positions @throws DatabaseError; nothing is changed then
-  std::vector<std::uint64_t> exchange(const std::vector<CaseResult>& results, std::size_t wanted);
+  /// In one transaction: stores a result, if there is one, and begins a case without a result, if there is
+  /// one.
+  /// @return its position @throws DatabaseError; nothing is changed then
+  std::optional<std::uint64_t> exchange(const std::optional<CaseResult>& finished, bool begin_next = true);
+
+  /// Whether no case was begun because a suspect is under way.
+  bool waits() const { return waits_; }
 
   /// Forgets the cases under way, which were stopped.
-  void forgetUnfinished();
+  void forgetUnfinished() { results_.database().execute("DELETE FROM under_way"); }
 
-  /// The progress of the sweep. Warnings are counted at intervals.
-  SweepProgress progress(std::uint64_t running);
+  SweepProgress progress() const;
 
 private:
-  using Clock = std::chrono::steady_clock;
-
-  std::vector<std::uint64_t> begin(std::size_t most);
-  std::vector<std::uint64_t> begin(Statement& select);
+  std::optional<std::uint64_t> begin();
   bool runsSuspect();
+  void forgive(const std::string& run_hash);
   std::vector<std::uint64_t> countDeaths();
   std::string placeOf(const std::string& run_hash) const;
-  void countWarnings();
 
-  const Sweep& sweep_;
-  ResultStore& store_;
-  const SweepPlan& plan_;
+  SweepResults& results_;
+  std::string deaths_;
   std::int64_t cursor_ = 0;  ///< all positions below have been begun or are suspect
-  Statement open_;
-  Statement suspect_;
-  Statement begin_;
-  Statement end_;
-  Statement forgive_;
+  bool waits_ = false;
   SweepProgress progress_;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point next_look_ = start_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace ratchet_sieve

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -8,34 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "ratchet_sieve/sweep/sweep.h"
-#include "ratchet_sieve/sweep/sweep_plan.h"
+#include "ratchet_sieve/sweep/sweep_results.h"
 
 namespace ratchet_sieve
 {
 
 /// One line: done, running, failed, with warnings, rate, time left.
 std::string sweepProgressText(const SweepProgress& progress);
-
-/// `0:07`, `1:02:03`.
-std::string durationText(double seconds);
-
-/// The progress line on standard error, if that is a terminal. Redrawn at most ten times a second; erased at
-/// the end.
-class SweepProgressLine
-{
-public:
-  SweepProgressLine();
-  ~SweepProgressLine();
-  SweepProgressLine(const SweepProgressLine&) = delete;
-  SweepProgressLine& operator=(const SweepProgressLine&) = delete;
-
-  bool isVisible() const { return visible_; }
-  void show(const SweepProgress& progress);
-
-private:
-  bool visible_;
-  std::chrono::steady_clock::time_point next_;
-};
 
 /// The estimated processor time of all cases, then a line for each corner of the grid, where the keys have
 /// their first or last values. From a run of at most half a second of each corner, of at most 16: from the

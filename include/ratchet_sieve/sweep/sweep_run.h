@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "ratchet_sieve/sweep/case.h"
-#include "ratchet_sieve/sweep/result_store.h"
 #include "ratchet_sieve/sweep/sweep.h"
-#include "ratchet_sieve/sweep/sweep_plan.h"
+#include "ratchet_sieve/sweep/sweep_results.h"
 
 namespace ratchet_sieve
 {
@@ -34,13 +33,13 @@ struct SweepOutcome
   std::size_t threads_wanted = 0;
 };
 
-/// Runs the cases of a sweep, or of its part, that have no result in the file. The cases of a killed process
-/// are continued. Checkpoints and a lock are in the directory RESULTS.d: one process at a time writes the
-/// file.
+/// Runs the cases of a sweep, or of its part, that have no result in the results file at the path. The cases
+/// of a killed process are continued. Checkpoints and a lock are in the directory PATH.d: one process at a
+/// time writes the file.
 /// @throws SceneError before any case is run if one is illegal
 /// @throws DatabaseFull if no more results can be stored; earlier results are intact
 /// @throws DatabaseError, also if another process runs a sweep into the file
-SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const SweepRunOptions& options);
+SweepOutcome runSweep(const Sweep& sweep, const std::string& path, const SweepRunOptions& options);
 
 /// Checks that the files of a sweep's parts have no results but of its cases and of this physics version.
 /// @return the sweep's cases @throws DatabaseError for the first that has; the message names it @throws
@@ -49,7 +48,7 @@ LegalCases requireMergeable(const Sweep& sweep, const std::vector<std::string>& 
 
 /// Copies the results of parts into the sweep's results file. A case that is in several counts once.
 /// @param cases requireMergeable() @throws DatabaseError
-void mergeResults(const Sweep& sweep, const LegalCases& cases, const std::string& results,
+void mergeResults(const Sweep& sweep, const LegalCases& cases, const std::string& path,
                   const std::vector<std::string>& parts);
 
 /// Says that a system provides fewer threads than wanted.

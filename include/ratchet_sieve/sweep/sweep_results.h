@@ -18,8 +18,9 @@ namespace ratchet_sieve
 class WarningTally
 {
 public:
-  /// @param warnings of one case, or of each of `cases` cases
-  void add(const std::vector<std::string>& warnings, std::uint64_t cases = 1);
+  /// @param source of the warning: a case, or one of `cases` cases alike. Those of a source come in
+  /// succession
+  void add(std::uint64_t source, const std::string& warning, std::uint64_t cases = 1);
 
   std::uint64_t warned() const { return warned_; }  ///< cases with a warning
 
@@ -34,8 +35,10 @@ private:
     std::string first;  ///< text of the first
     bool alike = true;  ///< all texts are equal to `first`
     std::uint64_t cases = 0;
+    std::optional<std::uint64_t> last_source = {};
   };
   std::map<std::string, Group> groups_;  ///< by id
+  std::optional<std::uint64_t> last_source_;
   std::uint64_t warned_ = 0;
 };
 
@@ -70,43 +73,40 @@ struct LegalCases
 /// @throws SceneError for the first illegal case
 std::optional<LegalCases> legalCases(const Sweep& sweep, const std::function<bool()>& stop_wanted = {});
 
-/// The cases of one sweep, or of its part, as listed in a results file: position and runHash(), each case
-/// once.
-class SweepPlan
+/// A results file as one sweep, or its part, sees it. Its connection has two views of the file: `plan`
+/// (position, run_hash) lists the sweep's cases, each once; `results` has the rows of `cases` of these and of
+/// this physics version, with their position.
+class SweepResults : public ResultStore
 {
 public:
-  /// The plan in the file, if it is complete.
-  static std::optional<SweepPlan> find(Database& database, const Sweep& sweep);
+  /// Opens a results file, or a new one to write. To read, cases that the file does not list are worked out,
+  /// as of a sweep file that was changed since its run. @throws DatabaseError @throws SceneError if one is
+  /// illegal
+  SweepResults(const Sweep& sweep, const std::string& path, Database::Access access);
 
-  /// Writes the list of all cases to the file. @throws DatabaseError
-  static SweepPlan make(Database& database, const Sweep& sweep, const LegalCases& cases);
+  /// Whether the file lists the sweep's cases, as it does once the sweep has been run.
+  bool isListed() const { return is_listed_; }
 
-  /// The plan in the file, or else one in temporary tables, for a sweep file that was changed since its run.
-  /// Does not change the file. @throws SceneError if a case is illegal
-  static SweepPlan findOrWorkOut(Database& database, const Sweep& sweep);
+  /// Lists the sweep's cases in the file. @pre it is open to write, and does not list them
+  void list(const LegalCases& cases);
 
-  std::int64_t id() const { return id_; }
-
-  /// Binds ?1 and ?2 of a statement, the plan and the version of the physics.
-  Statement& bind(Statement& statement) const;
-  bool isInFile() const { return in_file_; }
-
-  SweepCounts counts(Database& database) const;
+  SweepCounts counts() const;
 
   /// The warnings of the completed cases.
-  WarningTally warnings(const ResultStore& store) const;
+  WarningTally warnings() const;
 
   /// Adds missing values of swept keys to cases that were run by another sweep, which did not sweep these
   /// keys.
-  void fillValues(ResultStore& store, const Sweep& sweep) const;
+  void fillValues();
 
-  /// Removes the rows of failed cases, so that they are run again. @return their number
-  std::int64_t removeFailed(Database& database) const;
+  /// Removes the rows of failed cases, so that they are run again.
+  void removeFailed();
 
 private:
-  explicit SweepPlan(std::int64_t id) : id_(id) {}
-  std::int64_t id_;
-  bool in_file_ = true;
+  void workOut(const LegalCases& cases);
+
+  const Sweep& sweep_;
+  bool is_listed_;
 };
 
 }  // namespace ratchet_sieve
