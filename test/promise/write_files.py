@@ -172,7 +172,8 @@ def write(folder):
                  "calls": calls(), "columns": columns(machine, tables)}
     (folder / "names.yaml").write_text(yaml.safe_dump(names, default_flow_style=None, width=118))
     (folder / "results.json").write_text(json.dumps(results, indent=1, sort_keys=True) + "\n")
-    subprocess.run(["gzip", "-9n", folder / "sweep.db", folder / "run.checkpoint", folder / "results.json"], check=True)
+    for name in ("sweep.db", "run.checkpoint", "results.json", "run.bag"):
+        subprocess.run(["gzip", "-9n", folder / name], check=True)
 
 
 if __name__ == "__main__":
