@@ -7,13 +7,10 @@ import pathlib
 from ratchet_sieve.places import WORK, program
 
 DOCUMENTS = ("paper", "validation")  # each a package with STUDIES in their order, and template.md
-QUICK = ("a quarter of the seeds, but 3 at least, and of a key with more than 4 values every second one and those that "
-         "a claim needs; the longest sweeps are left out")
 
 
 def read_arguments():
     parser = argparse.ArgumentParser(prog="reproduce", description=__doc__)
-    parser.add_argument("--quick", action="store_true", help=f"takes minutes: {QUICK}")
     parser.add_argument("--only", nargs="+", metavar="NAME",
                         help="only these studies, without a document; --list names them")
     parser.add_argument("--list", action="store_true", help="list the studies and their sweeps")
@@ -23,7 +20,7 @@ def read_arguments():
     parser.add_argument("--draw-only", action="store_true", help="run nothing; draw and write what the results have")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR",
                         help="documents into DIR, pictures into DIR/images, data into DIR/data (default: docs, but "
-                             "out/reproduce with --quick or --only)")
+                             "out/reproduce with --only)")
     parser.add_argument("--program", type=pathlib.Path, default=program("sieve_sweep"),
                         metavar="FILE", help=argparse.SUPPRESS)
     options = parser.parse_args()
@@ -31,7 +28,7 @@ def read_arguments():
         parser.error(f"--jobs {options.jobs}: 0 or more")
     if options.draw_only and not options.results.exists():
         parser.error(f"--draw-only: {options.results} does not exist")
-    options.out = options.out or WORK / ("out/reproduce" if options.quick or options.only else "docs")
+    options.out = options.out or WORK / ("out/reproduce" if options.only else "docs")
     return parser, options
 
 
@@ -40,7 +37,7 @@ def run_study(study, runner, directory, name):
     from ratchet_sieve import plots
     from study import Outcome
 
-    rows = {sweep.name: runner.rows_of(sweep) for sweep in study.sweeps}
+    rows = {name: runner.rows_of(name) for name in study.sweeps}
     outcome = Outcome(study, study.evaluate(rows), rows)
     for picture in study.pictures:
         with plots.styled():
@@ -67,7 +64,7 @@ def run(options, studies):
         if outcomes and not options.only:
             path = options.out / f"{name}.md"
             document.write(path, pathlib.Path(__file__).with_name(name) / "template.md", outcomes,
-                           "scripts/reproduce" + (" --quick" if options.quick else ""))
+                           "scripts/reproduce")
             print(path)
 
 
@@ -84,7 +81,7 @@ def main():
     if options.list:
         for name, own in studies.items():
             for study in own:
-                print(f"{name}: {study.name}: {study.title} ({', '.join(sweep.name for sweep in study.sweeps)})")
+                print(f"{name}: {study.name}: {study.title} ({', '.join(study.sweeps)})")
         return
     run_program(parser.prog, lambda: run(options, studies))
 

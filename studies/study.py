@@ -75,14 +75,6 @@ def kind_curves(axes, pairs, kinds, colour, **options):
 
 
 @dataclasses.dataclass(frozen=True)
-class Sweep:
-    """A file of config/sweeps, by its name without .yaml."""
-    name: str
-    needed: dict = dataclasses.field(default_factory=dict)  # values that --quick keeps, of some keys
-    is_quick: bool = True  # False: --quick leaves it out, and the study gets no rows of it
-
-
-@dataclasses.dataclass(frozen=True)
 class Picture:
     name: str      # of its files, after the document's
     caption: str   # what it shows; then, after a semicolon, its bars
@@ -102,7 +94,7 @@ class Picture:
 class Study:
     name: str
     title: str
-    sweeps: tuple      # of Sweep
+    sweeps: tuple      # of names of files of config/sweeps, without .yaml
     evaluate: Callable  # {sweep's name: Rows} -> numbers, whatever the study's other parts take
     pictures: tuple    # of Picture; the first is the one that a document shows
     claims: Callable   # numbers -> list of Claim

@@ -1,5 +1,4 @@
 """Runs the sweeps of studies by sieve_sweep and reads their rows."""
-import math
 import pathlib
 import re
 import resource
@@ -7,15 +6,11 @@ import subprocess
 import sys
 import tempfile
 
-import yaml
-
 from ratchet_sieve.places import SHARE
-from ratchet_sieve.tables import Refusal, Rows, read_rows
+from ratchet_sieve.tables import Refusal, read_rows
 from ratchet_sieve.texts import counted
 
 DIRECTORY = SHARE / "config/sweeps"
-QUICK_SEEDS = 3   # --quick runs a quarter of the seeds, and so many at least
-QUICK_VALUES = 4  # of a key with more values than these, every second one
 
 
 class SweepFailed(Refusal):
@@ -73,25 +68,11 @@ class Runner:
         self.options = options
         self.rows = {}
 
-    def rows_of(self, sweep):
+    def rows_of(self, name):
         """Runs its cases without a result."""
-        if self.options.quick and not sweep.is_quick:
-            return Rows()
-        if sweep.name not in self.rows:
-            with tempfile.TemporaryDirectory() as directory:
-                self.rows[sweep.name] = self.run(self.file_of(sweep, pathlib.Path(directory)), sweep.name)
-        return self.rows[sweep.name]
-
-    def file_of(self, sweep, directory):
-        path = DIRECTORY / f"{sweep.name}.yaml"
-        if not self.options.quick:
-            return path
-        quick = quick_definition(yaml.safe_load(path.read_text(encoding="utf-8")), sweep.needed)
-        if isinstance(quick["scene"], str):
-            quick["scene"] = str((DIRECTORY / quick["scene"]).resolve())
-        file = directory / path.name
-        file.write_text(yaml.safe_dump(quick, sort_keys=False), encoding="utf-8")  # the last key varies fastest
-        return file
+        if name not in self.rows:
+            self.rows[name] = self.run(DIRECTORY / f"{name}.yaml", name)
+        return self.rows[name]
 
     def run(self, file, name):
         print(f"{name}:", file=sys.stderr, flush=True)
@@ -105,24 +86,3 @@ class Runner:
             raise SweepFailed(f"{counted(missing, 'case')} of {name} without a result in {options.results}"
                               + ("; run it without --draw-only" if options.draw_only else ""))
         return rows
-
-
-def thinned(values, needed):
-    if isinstance(values, dict):  # from, to, count
-        step = (values["to"] - values["from"]) / (values["count"] - 1)
-        values = [float(f"{values['from'] + k * step:.15g}") for k in range(values["count"])]
-    if len(values) <= QUICK_VALUES:
-        return values
-    return [value for k, value in enumerate(values)
-            if k % 2 == 0 or any(math.isclose(value, kept, abs_tol=1e-12) for kept in needed)]
-
-
-def quick_definition(definition, needed):
-    """A sweep's definition as --quick runs it: its cases are among those of the whole."""
-    quick = dict(definition)
-    if "grid" in definition:
-        quick["grid"] = {key: thinned(values, needed.get(key, ())) for key, values in definition["grid"].items()}
-    if "seed" in definition:
-        seed = definition["seed"]
-        quick["seed"] = {**seed, "count": min(seed["count"], max(QUICK_SEEDS, seed["count"] // 4))}
-    return quick

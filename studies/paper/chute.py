@@ -4,7 +4,7 @@ import dataclasses
 from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows, joined
 from curves import best_of
-from study import Picture, Study, Sweep, csv_lines, family, means
+from study import Picture, Study, csv_lines, family, means
 import verdicts
 
 THETA = "base.inclination"
@@ -62,7 +62,7 @@ TEXT = ("A disk that starts near the end to which the other kind goes may leave 
         "the whole base; on a fifth of it (`pour.from`, `pour.to`) the heap is five times as deep.")
 
 
-STUDY = Study("chute", "Fig. 9's mixture poured by a chute", (Sweep("paper_fig9_chute"),), evaluate,
+STUDY = Study("chute", "Fig. 9's mixture poured by a chute", ("paper_fig9_chute",), evaluate,
               (Picture("chute", "Quality Q over the inclination for several intervals of the pour, 100 teeth, d = 1; "
                        "bars: standard errors over the seeds", draw, size=(6.4, 3.8)),), claims, lambda numbers: TEXT,
               tables=lambda numbers: {"chute": csv_lines(("from_m", "to_m", "best_theta_rad"), ("q",), {

@@ -3,7 +3,7 @@ import dataclasses
 import math
 
 from ratchet_sieve import plots
-from study import Picture, Study, Sweep, csv_lines, over
+from study import Picture, Study, csv_lines, over
 import verdicts
 
 V_MIN = "contact.min_rebound_speed"
@@ -48,7 +48,7 @@ def claims(means):
 
 
 STUDY = Study("contacts", "Short and long slopes, over the smallest rebound speed",
-              (Sweep("paper_fig3_contacts", {V_MIN: (SCENES, 0.1)}),), evaluate,
+              ("paper_fig3_contacts",), evaluate,
               (Picture("contacts", "Contacts with short over those with long slopes, of Fig. 3's disks, over v_min; "
                        "bars: standard errors over the seeds", draw, size=(6.4, 3.6)),), claims,
               figures=lambda means: {"contacts.short_to_long": means[SCENES][0].text()},

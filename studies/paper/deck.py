@@ -1,7 +1,7 @@
 """Addition A8: whether a base that is shaken along its own normal parts Fig. 8's mixture at the paper's angles."""
 from paper import parting
 from paper.parting import ANGLES, THETA
-from study import WAYS, Picture, Study, Sweep, csv_lines, ways
+from study import WAYS, Picture, Study, csv_lines, ways
 import verdicts
 
 FRAME = "base.drive_frame"
@@ -29,7 +29,7 @@ TEXT = ("A vibrator bolted to the deck shakes it along its normal (`base.drive_f
 
 
 STUDY = Study("deck", "Fig. 8's mixture on a base that is shaken along its own normal",
-              (Sweep("paper_deck", {THETA: ANGLES}),), evaluate,
+              ("paper_deck",), evaluate,
               (Picture("deck", "Mean velocities of Fig. 8's mixture over the inclination, d = 3.93, for both axes of "
                        "the drive; bars: standard errors over the seeds", draw),), claims, lambda numbers: TEXT,
               tables=lambda numbers: {"deck": csv_lines(("drive_frame", "theta_rad"), WAYS, {

@@ -3,7 +3,7 @@ import math
 
 from ratchet_sieve import plots
 from ratchet_sieve.stats import density_of, mean_of, variance_of
-from study import Picture, Study, Sweep, csv_lines
+from study import Picture, Study, csv_lines
 import verdicts
 
 TIME = "duration"
@@ -83,7 +83,7 @@ def claims(numbers):
 
 
 STUDY = Study("displacements", "Figs. 3 and 4: displacements of single disks",
-              tuple(Sweep(f"paper_{name}", {TIME: (2.0, 10.0)}) for name in FIGURES), evaluate,
+              tuple(f"paper_{name}" for name in FIGURES), evaluate,
               tuple(Picture(name, f"Displacements at θ = {theta:g}; each disk a run of its own, bars: standard errors "
                             "of the counts", lambda axes, numbers, name=name: draw(axes, numbers[name]),
                             (f"paper_{name}",), (6.4, 3.8))

@@ -1,7 +1,7 @@
 """Fig. 5: the mean velocity of single disks over the frequency, for nine asymmetries of the tooth."""
 from ratchet_sieve import plots
 from ratchet_sieve.stats import mean_of
-from study import Picture, Study, Sweep, axis, csv_lines, means, named_curves
+from study import Picture, Study, axis, csv_lines, means, named_curves
 import verdicts
 
 A = "base.asymmetry"
@@ -54,7 +54,7 @@ def claims(numbers):
 
 
 STUDY = Study("fig5", "Fig. 5: velocity over frequency, for nine asymmetries",
-              (Sweep("paper_fig5", {A: (0.5,)}),), evaluate,
+              ("paper_fig5",), evaluate,
               (Picture("fig5", "Mean velocity of single disks over the frequency; bars: standard errors over the seeds",
                        draw, size=(6.4, 4.2)),), claims, tables=lambda numbers: {
                            "fig5": csv_lines(("f_hz", "a"), ("mean_vx_m_per_s",), numbers["means"])})

@@ -1,6 +1,6 @@
 """Claim 13: single disks of several radii on a level base. Larger disks feel the ratchet less, as Fig. 6 says."""
 from ratchet_sieve import plots
-from study import Picture, Study, Sweep, axis, csv_lines, named_curves, over
+from study import Picture, Study, axis, csv_lines, named_curves, over
 import verdicts
 
 R = "species.0.radius"
@@ -43,7 +43,7 @@ TEXT = ("The second check is indirect: it counts contacts, of which a disk at re
         "disks that return at the next tooth.")
 
 
-STUDY = Study("fig6", "Fig. 6: single disks over their radius", (Sweep("paper_fig6", {R: (SMALL, LARGE)}),), evaluate,
+STUDY = Study("fig6", "Fig. 6: single disks over their radius", ("paper_fig6",), evaluate,
               (Picture("fig6", "Contacts with short over those with long slopes, and mean velocity, of single disks "
                        "over their radius at θ = 0; bars: standard errors over the seeds", draw),), claims,
               lambda means: TEXT,

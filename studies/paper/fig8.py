@@ -6,7 +6,7 @@ from curves import TURNS, turns_of
 from paper import parting
 from paper.fig7 import F, THETA, draw_kinds, more_moved, velocities, velocity_lines
 from paper.parting import ANGLES
-from study import Picture, Study, Sweep, axis, csv_lines, told
+from study import Picture, Study, axis, csv_lines, told
 import verdicts
 
 SHOWN = 23.0  # Hz, as in Fig. 3
@@ -115,8 +115,7 @@ def figures(numbers):
 
 CAPTION = "d = 3.93; bars: standard errors over the seeds"
 STUDY = Study("fig8", "Fig. 8: both kinds of a mixture",
-              (Sweep("paper_fig8", {F: (SHOWN,), THETA: (0.0, 0.052, *ANGLES, TURNED)}),
-               Sweep("paper_fig8_window", is_quick=False)), evaluate,
+              ("paper_fig8", "paper_fig8_window"), evaluate,
               (Picture("fig8_inclination", "Mean velocities of both kinds over the inclination at "
                        f"{SHOWN:g} Hz, {CAPTION}", draw_inclinations),
                Picture("fig8", f"Mean velocities over the frequency at eleven inclinations, {CAPTION}",

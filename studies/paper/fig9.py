@@ -3,22 +3,21 @@ from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows, departed, joined
 from ratchet_sieve.texts import table
 from curves import best_of
-from study import Picture, Study, Sweep, csv_lines, family, means, told
+from study import Picture, Study, csv_lines, family, means, told
 import verdicts
 
 THETA = "base.inclination"
 TEETH = "base.teeth"
 DENSITY = "density"
-SWEEPS = (Sweep("paper_fig9", {THETA: (0.18, 0.22)}), Sweep("paper_fig9_long", is_quick=False),
-          Sweep("paper_fig9_peak_thin", is_quick=False), Sweep("paper_fig9_peak_short", is_quick=False),
-          Sweep("paper_fig9_peak_dense", is_quick=False), Sweep("paper_fig9_dense", is_quick=False))
+SWEEPS = ("paper_fig9", "paper_fig9_long", "paper_fig9_peak_thin", "paper_fig9_peak_short", "paper_fig9_peak_dense",
+          "paper_fig9_dense")
 EMPTY = 0.99  # of all disks: so many have left a base that counts as emptied
 FAR = 0.02  # rad from the best θ to both ends of a curve: one that shows whether there is a maximum
 
 
 def over_inclinations(rows):
     """All runs of this figure's sweeps, each once: some cases are in two sweeps."""
-    return Rows(joined(*(rows[sweep.name] for sweep in SWEEPS)).frame.drop_duplicates("run_hash", keep="last"))
+    return Rows(joined(*(rows[name] for name in SWEEPS)).frame.drop_duplicates("run_hash", keep="last"))
 
 
 def evaluate(rows):
@@ -68,7 +67,7 @@ def peaked(numbers):
 
 
 def compared_lengths(numbers):
-    """Those with several densities: --quick leaves some out."""
+    """Those with several densities."""
     return [teeth for teeth in axis(numbers, 0) if len(densities_on(numbers, teeth)) > 1]
 
 

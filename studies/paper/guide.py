@@ -5,7 +5,7 @@ from curves import best_of, crossing_of
 from paper import fig9
 from paper.fig7 import F, THETA, velocities
 from paper.fig8 import TURNED
-from study import Picture, Study, Sweep, csv_lines, means
+from study import Picture, Study, csv_lines, means
 import verdicts
 
 SHOWN = 23.0     # Hz
@@ -120,8 +120,8 @@ def claims(numbers):
 
 
 STUDY = Study("guide", "Single disks as a guide to mixtures",
-              (Sweep("paper_fig8"), Sweep(WINDOW, is_quick=False), Sweep(SINGLE), Sweep(ALONE), *fig9.SWEEPS), evaluate,
+              ("paper_fig8", WINDOW, SINGLE, ALONE, *fig9.SWEEPS), evaluate,
               (Picture("guide", "Q over the inclination, of single disks and of the mixture of Fig. 9; bars: standard "
-                       "errors over the seeds", draw, (ALONE, *(sweep.name for sweep in fig9.SWEEPS))),), claims,
+                       "errors over the seeds", draw, (ALONE, *fig9.SWEEPS)),), claims,
               tables=lambda numbers: {"guide": csv_lines(("teeth", "best_theta_rad"), ("q_of_single_disks",), {
                   (teeth, alone["best"].at): alone["best"].mean for teeth, alone in numbers["alone"].items()})})

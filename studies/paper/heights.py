@@ -1,6 +1,6 @@
 """Addition A10: whether the large disks of Fig. 9's mixture lie above the small ones, as section 3.2.2 suspects."""
 from ratchet_sieve import plots
-from study import Picture, Study, Sweep, csv_lines, over
+from study import Picture, Study, csv_lines, over
 import verdicts
 
 D = "density"
@@ -48,7 +48,7 @@ TEXT = ("Periodic base, θ = 0.2. The paper says that this \"might be related\" 
         "tested. B is also 10 times lighter than A, so that the difference is not one of size alone.")
 
 
-STUDY = Study("heights", "The heights of both kinds of Fig. 9's mixture", (Sweep("paper_heights"),), evaluate,
+STUDY = Study("heights", "The heights of both kinds of Fig. 9's mixture", ("paper_heights",), evaluate,
               (Picture("heights", "Mean heights of the disks' lowest points above the teeth's lowest corners over the "
                        "density, at θ = 0.2; bars: standard errors over the seeds", draw, size=(6.4, 3.6)),), claims,
               lambda heights: TEXT,

@@ -1,7 +1,7 @@
 """Section 3.2.1: mixtures of kinds that have the same radius or the same mass, against the mixture of Fig. 8."""
 from ratchet_sieve import plots
 from curves import TURNS, best_of, turns_of
-from study import Picture, Study, Sweep, csv_lines, means
+from study import Picture, Study, csv_lines, means
 import verdicts
 
 THETA = "base.inclination"
@@ -89,7 +89,7 @@ TEXT = ("Q is that of 20 teeth with open ends after 60 s. The intervals are thos
 
 
 STUDY = Study("mixtures", "Section 3.2.1: mixtures that differ in the radius or the mass alone",
-              (Sweep("paper_mixtures"), Sweep("paper_mixtures_quality")), evaluate,
+              ("paper_mixtures", "paper_mixtures_quality"), evaluate,
               (Picture("mixtures", "Q and how much faster A is than B, of five mixtures, d = 3.93; bars: standard "
                        "errors over the seeds", draw),), claims,
               lambda numbers: TEXT,

@@ -2,7 +2,7 @@
 from ratchet_sieve import plots
 from ratchet_sieve.tables import joined
 from paper.parting import ANGLES, D, PRINTED, parted
-from study import WAYS, Picture, Study, Sweep, csv_lines, family, means
+from study import WAYS, Picture, Study, csv_lines, family, means
 import verdicts
 
 THETA = "base.inclination"
@@ -11,7 +11,7 @@ WINDOW = ("settle", "duration")
 WHOLE = (0.0, 60.0)  # s: the window of Q
 CLAIMED = ANGLES[0]  # where the paper has A go right and B left [rad]
 FEW = 0.1            # density below which too few disks are left to draw
-SWEEPS = (Sweep("paper_open", {THETA: (CLAIMED,)}), Sweep("paper_open_long", is_quick=False))
+SWEEPS = ("paper_open", "paper_open_long")
 
 
 def left_on(row):
@@ -28,7 +28,7 @@ def mean_on(row):
 
 def evaluate(rows):
     """@return of each window, length and θ: drifts [m/s] and the density, its mean and at the window's end"""
-    every = joined(*(rows[sweep.name] for sweep in SWEEPS))
+    every = joined(*(rows[name] for name in SWEEPS))
     drifts = {}
     for place, cell in sorted(every.by(*WINDOW, TEETH, THETA).items()):
         drifts[place] = {"A": cell.mean("mean_vx.A"), "B": cell.mean("mean_vx.B"), "d": cell.mean(left_on),
@@ -113,7 +113,7 @@ def drift_lines(numbers):
 
 
 STUDY = Study("open_base", "Fig. 8's mixture on an open base, which empties",
-              (*SWEEPS, Sweep("parting_window")), evaluate,
+              (*SWEEPS, "parting_window"), evaluate,
               (Picture("open_base", "Q of Fig. 8's mixture on open bases over the inclination, and drifts at θ = 0.105 "
                        "over the mean density; bars: standard errors over the seeds", draw),), claims,
               lambda numbers: TEXT,

@@ -2,7 +2,7 @@
 inclinations in which they do, over the density."""
 from ratchet_sieve import plots
 from curves import TURNS, turns_of
-from study import Picture, Study, Sweep, csv_lines, told, ways
+from study import Picture, Study, csv_lines, told, ways
 import verdicts
 
 THETA = "base.inclination"
@@ -121,7 +121,7 @@ def text(part):
 
 
 WINDOW = Study("parting_window", "The inclinations at which the kinds of Fig. 8's mixture reverse, over the density",
-              (Sweep("parting_window", {THETA: (0.052, *ANGLES)}),), evaluate,
+              ("parting_window",), evaluate,
               (Picture("parting_window", "The inclinations at which A and B reverse, over the density; bars: "
                        "jackknife errors over the seeds", draw, size=(6.4, 4.2)),),
               claims, text, tables=lambda part: {"parting_window": turn_lines(part)})

@@ -2,7 +2,7 @@
 from ratchet_sieve import plots
 from paper import parting
 from paper.parting import ANGLES, THETA
-from study import WAYS, Picture, Study, Sweep, csv_lines, ways
+from study import WAYS, Picture, Study, csv_lines, ways
 import verdicts
 
 W, H = "base.tooth_width", 0.009  # m: the height of all of them
@@ -61,7 +61,7 @@ def text(numbers):
 
 
 STUDY = Study("parting_teeth", "Claim 6 on narrower and higher teeth, by fresh seeds",
-              (Sweep("parting_teeth_fresh"),), evaluate,
+              ("parting_teeth_fresh",), evaluate,
               (Picture("parting_teeth", "Mean velocities of Fig. 8's mixture on narrower and higher teeth, d = 3.93; "
                        "bars: standard errors over the seeds", draw),), claims, text,
               tables=lambda numbers: {"parting_teeth": csv_lines(("w_m", "theta_rad"), WAYS, {

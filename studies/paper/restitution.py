@@ -1,6 +1,6 @@
 """Claim 14: the restitution changes the mean velocity of single disks, as section 3.1.2 remarks."""
 from ratchet_sieve import plots
-from study import Picture, Study, Sweep, csv_lines, means
+from study import Picture, Study, csv_lines, means
 import verdicts
 
 E = "species.0.restitution"
@@ -27,7 +27,7 @@ def claims(velocities):
         verdicts.Check(f"at another e it differs from that at e = {PRINTED:g}", told, True if differing else None),))]
 
 
-STUDY = Study("restitution", "Single disks over their restitution", (Sweep("paper_restitution", {E: (PRINTED,)}),),
+STUDY = Study("restitution", "Single disks over their restitution", ("paper_restitution",),
               evaluate, (Picture("restitution", "Mean velocity of single disks over their restitution, otherwise as in "
                        "Fig. 3; bars: standard errors over the seeds", draw, size=(6.4, 3.6)),), claims,
               tables=lambda velocities: {"restitution": csv_lines(("e",), ("mean_vx_m_per_s",), velocities)})

@@ -2,7 +2,7 @@
 import math
 
 from ratchet_sieve import plots
-from study import Picture, Study, Sweep, axis, csv_lines, named_curves
+from study import Picture, Study, axis, csv_lines, named_curves
 import verdicts
 
 E = "species.0.restitution"
@@ -118,7 +118,7 @@ def claims(numbers):
 
 
 STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others 2004)",
-              (Sweep("validation_bae"), Sweep("validation_bae_fresh")), evaluate,
+              ("validation_bae", "validation_bae_fresh"), evaluate,
               (Picture("bae_regimes", "Which way single grains go, over the strength of the shaking and the roughness "
                        f"of the teeth, a = 0.3; a current is more than {LEAST * plots.MM:g} mm/s with 95 %",
                        draw_regimes, ("validation_bae",)),

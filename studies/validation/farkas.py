@@ -7,7 +7,7 @@ from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows
 from ratchet_sieve.texts import shown
 from curves import best_of
-from study import WAYS, Picture, Study, Sweep, axis, csv_lines, kind_curves, over
+from study import WAYS, Picture, Study, axis, csv_lines, kind_curves, over
 import verdicts
 
 THETA = "base.inclination"
@@ -158,8 +158,8 @@ def study(number, word, names, scene):
     quality = Picture(f"{name}_quality", f"Q and P on an open base ({scene}); bars: "
                       "standard errors over the seeds", draw_quality, (f"{sweep}_open",), (6.0, 3.6))
     return Study(name, f"One size, another {word} (Farkas and others 2002)",
-                 (*(Sweep(sweep + ratchet.suffix) for ratchet in RATCHETS), Sweep(f"{sweep}_open"),
-                  Sweep(f"{sweep}_fresh")), evaluator(sweep),
+                 (*(sweep + ratchet.suffix for ratchet in RATCHETS), f"{sweep}_open", f"{sweep}_fresh"),
+                 evaluator(sweep),
                  (*(picture(name, word, names, ratchet) for ratchet in RATCHETS[::-1]), quality), claimer(number, word),
                  text, tables=lambda numbers: {
                      name: drift_lines(numbers),

@@ -2,7 +2,7 @@
 from ratchet_sieve import plots
 from ratchet_sieve.stats import jackknife
 from curves import curve_of
-from study import Picture, Study, Sweep, axis, csv_lines, family, means, named_curves
+from study import Picture, Study, axis, csv_lines, family, means, named_curves
 import verdicts
 
 D = "density"
@@ -79,8 +79,7 @@ def claims(numbers):
 
 
 STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)",
-              (Sweep("validation_layer"), Sweep("validation_layer_fresh"),
-               Sweep("validation_layer_onset", is_quick=False)), evaluate,
+              ("validation_layer", "validation_layer_fresh", "validation_layer_onset"), evaluate,
               (Picture("layer", "Mean velocity of a layer of one kind over its thickness, on steep teeth (w = 6 mm, "
                        "h = 5 mm, a = 0.3); bars: standard errors over the seeds", draw, ("validation_layer",)),
                Picture("layer_onset", "Mean velocity of a thin and of a thick layer over the frequency, on the same "

@@ -1,6 +1,6 @@
 """One ball over the asymmetry of the teeth (Okishio, Ito, Kitahata 2022)."""
 from ratchet_sieve import plots
-from study import Picture, Study, Sweep, axis, csv_lines, family, means
+from study import Picture, Study, axis, csv_lines, family, means
 import verdicts
 
 E = "species.0.restitution"
@@ -35,7 +35,7 @@ def claims(velocities):
 
 
 STUDY = Study("okishio", "One ball over the asymmetry (Okishio and others 2022)",
-              (Sweep("validation_okishio", {A: (SYMMETRIC,)}),), evaluate,
+              ("validation_okishio",), evaluate,
               (Picture("okishio", "Mean velocity of single balls over the asymmetry of the teeth; bars: standard "
                        "errors over the seeds", draw, size=(6.4, 4.0)),), claims,
               tables=lambda velocities: {"okishio": csv_lines(("a", "e"), ("mean_vx_m_per_s",), velocities)})

@@ -1,6 +1,6 @@
 """Large and small disks of one material in a layer on a level base (Rapaport 2001)."""
 from ratchet_sieve import plots
-from study import Picture, Study, Sweep, axis, csv_lines, kind_curves, ways
+from study import Picture, Study, axis, csv_lines, kind_curves, ways
 import verdicts
 
 D = "density"
@@ -43,7 +43,7 @@ def claims(means):
                            "small particles are horizontally driven in opposite directions", (check,))]
 
 
-STUDY = Study("rapaport", "Large and small disks in a layer (Rapaport 2001)", (Sweep("validation_rapaport"),), evaluate,
+STUDY = Study("rapaport", "Large and small disks in a layer (Rapaport 2001)", ("validation_rapaport",), evaluate,
               (Picture("rapaport", "Mean velocities of small (0.5 mm) and large (1 mm) disks in a layer over its "
                        "thickness, on steep teeth; bars: standard errors over the seeds", draw),), claims,
               tables=lambda means: {"rapaport": csv_lines(

@@ -36,7 +36,7 @@ SceneDefinition collapsing(bool pair_collisions)
 TEST(Collapse, StopsTheRunInOrderAtTheSameBitsInWhateverStridesAtATimeThatCanBeAskedFor)
 {
   for (const bool pair_collisions : {true, false})
-    for (int k = 0; k < 20; ++k)
+    for (const int k : {0, 1, 7, 19})
     {
       const double start = 100.1 * k;
       SCOPED_TRACE("begun at " + std::to_string(start) + " s");

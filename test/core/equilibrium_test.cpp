@@ -21,8 +21,7 @@ namespace
 {
 
 /// Tolerance of the ratio of two mean energies over 10^6 collisions of at least 200 disks. With six seeds it
-/// scattered by 0.5 % (rms), and by 0.9 % over 250 s for a mass ratio of 30, where little energy is exchanged
-/// per collision; that mixture runs for 600 s. At 100 : 1 it would be 2.5 %.
+/// scattered by 0.5 % (rms).
 constexpr double OF_MEANS = 0.03;
 
 /// A correct engine fails a Kolmogorov-Smirnov test with this probability after a change of its rounding.
@@ -65,8 +64,7 @@ TEST(Equilibrium, EverySpeciesHasTheSameTranslationalEnergy)
     double until;
   } const mixtures[] = {{{0.010, 0.001, 0.5}, {0.001, 0.002, 0.5}, 350.0},
                         {{0.001, 0.001, 0.5}, {0.001, 0.003, 0.5}, 200.0},
-                        {{0.001, 0.001, 0.5}, {0.010, 0.003, 0.5}, 200.0},
-                        {{0.030, 0.002, 0.5}, {0.001, 0.002, 0.5}, 600.0}};
+                        {{0.001, 0.001, 0.5}, {0.010, 0.003, 0.5}, 200.0}};
   for (const auto& mixture : mixtures)
   {
     Simulation simulation(closed(mixture.a, mixture.b, SMOOTH));

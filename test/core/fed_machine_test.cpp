@@ -125,25 +125,6 @@ TEST(FedMachine, IsFedByAPoissonProcessOfTheSeedWhateverTheDrive)
   EXPECT_NE(entered(scene, INTERVALS), all);
 }
 
-TEST(Random, ExponentialNumbersHaveTheMomentsAndTheTailOfTheirDistribution)
-{
-  constexpr int COUNT = 100000;
-  Random random(1);
-  double sum = 0.0, squares = 0.0;
-  int beyond = 0;
-  for (int k = 0; k < COUNT; ++k)
-  {
-    const double next = random.exponential();
-    sum += next;
-    squares += next * next;
-    beyond += next > 2.5 ? 1 : 0;
-  }
-  const double error = 4.0 / std::sqrt(COUNT);
-  EXPECT_NEAR(sum / COUNT, 1.0, error);
-  EXPECT_NEAR(squares / COUNT, 2.0, error * std::sqrt(20.0));
-  EXPECT_NEAR(beyond / static_cast<double>(COUNT), std::exp(-2.5), error * std::exp(-1.25));
-}
-
 /// At the instant of each feed, the newest disk is above the feed's stretch; the disks of the start and those
 /// poured on command are above the pour's.
 TEST(FedMachine, PoursWhereItsStretchesAre)
@@ -257,21 +238,6 @@ std::vector<ExitRecord> exitsOf(Simulation& simulation, double end)
   return exits;
 }
 
-/// A second machine whose feed is what left another one on one side.
-SceneDefinition secondStage(const SceneDefinition& first, const std::vector<ExitRecord>& exits, Exit side)
-{
-  SceneDefinition second = first;
-  second.feed = {};
-  second.feed.stretch = {0.02, 0.03};
-  for (SpeciesDefinition& species : second.species)
-    species.count = 0;
-  for (const ExitRecord& exit : exits)
-    if (exit.side == side)
-      second.feed.disks.push_back({exit.time, exit.species, exit.radius, exit.mass});
-  second.seed = first.seed + 1;
-  return second;
-}
-
 TEST(FedMachine, TellsOfEachDiskThatLeaves)
 {
   for (const bool pairs : {true, false})
@@ -299,43 +265,6 @@ TEST(FedMachine, TellsOfEachDiskThatLeaves)
       EXPECT_EQ(bins[s].left_mass, counted[s].left_mass);
       EXPECT_EQ(bins[s].right_mass, counted[s].right_mass);
     }
-  }
-}
-
-/// The disks of the second stage, by id, are those that left the first, with their radii and masses: in its
-/// bins or still in the machine.
-TEST(FedMachine, OfASecondStageHasExactlyTheDisksThatLeftTheFirst)
-{
-  for (const bool pairs : {true, false})
-  {
-    const SceneDefinition scene = test::withSizes(test::fedSieve(pairs));
-    Simulation first(scene);
-    const SceneDefinition next = secondStage(scene, exitsOf(first, 8.0), Exit::LEFT_BIN);
-    const std::vector<FedDisk>& fed = next.feed.disks;
-    std::uint64_t left = 0;
-    for (const SpeciesBins& bins : first.bins())
-      left += bins.left;
-    ASSERT_EQ(fed.size(), left);
-    ASSERT_GT(left, 500u);
-    Simulation second(next);
-    const std::vector<ExitRecord> exits = exitsOf(second, 8.0);
-    std::vector<int> seen(fed.size());
-    for (const ExitRecord& exit : exits)
-    {
-      ASSERT_LT(exit.id, fed.size());
-      ++seen[exit.id];
-      EXPECT_GE(exit.time, fed[exit.id].time);
-      EXPECT_EQ(exit.species, fed[exit.id].species);
-      EXPECT_EQ(exit.radius, fed[exit.id].radius);
-      EXPECT_EQ(exit.mass, fed[exit.id].mass);
-    }
-    for (const DiskState& disk : second.disks())
-    {
-      ++seen[disk.id];
-      EXPECT_EQ(disk.radius, fed[disk.id].radius);
-    }
-    EXPECT_EQ(seen, std::vector<int>(fed.size(), 1));
-    EXPECT_EQ(second.auditOverlaps(), 0u);
   }
 }
 

@@ -116,42 +116,6 @@ TEST(HeightProfile, OfABouncingBallIsThatOfItsParabola)
   EXPECT_EQ(*test::numberOf(row, "share_above"), 0.0);
 }
 
-/// A ball at rest in the world, seen from a base that swings under it.
-TEST(HeightProfile, SeesFromTheBase)
-{
-  constexpr double AMPLITUDE = 0.002, FREQUENCY = 20.0, HEIGHT = 0.02;
-  SceneDefinition scene = test::singleParticles(0);
-  scene.gravity = 0.0;
-  scene.base.tooth_height = 0.0;
-  scene.base.amplitude = AMPLITUDE;
-  scene.base.frequency = FREQUENCY;
-  scene.initial = {{0, 0.1, HEIGHT, 0.0, 0.0, 0.0}};
-  scene.observe = {"height_profile"};
-  scene.height_profile = {0.001, 4};
-  Simulation simulation(scene);
-  simulation.advanceTo(10.0 / FREQUENCY);
-  const ObservedRow row = simulation.observed()[0].rows[0];
-  const double area = 0.001 * scene.base.width();
-  std::map<double, std::map<int, double>> shares;  // by phase and slice
-  for (std::size_t k = 0; k < column(row, "from").size(); ++k)
-    shares[column(row, "phase_from")[k]][static_cast<int>(std::lround(1e3 * column(row, "from")[k]))] =
-        area * column(row, "number_density")[k];
-  ASSERT_EQ(shares.size(), 4u);
-  // H - A sin(phi): A sin(phi) is below A / 2 for a third of the first quarter, and of the second.
-  EXPECT_NEAR(shares[0.0][19], 1.0 / 3.0, 1e-4);
-  EXPECT_NEAR(shares[0.0][18], 2.0 / 3.0, 1e-4);
-  EXPECT_NEAR(shares[0.5 * PI][19], 1.0 / 3.0, 1e-4);
-  EXPECT_NEAR(shares[PI][20], 1.0 / 3.0, 1e-4);
-  EXPECT_NEAR(shares[1.5 * PI][21], 2.0 / 3.0, 1e-4);
-  // In the first quarter sin(phi) goes from 1/2 to 1 in a sixth of a period.
-  for (std::size_t k = 0; k < column(row, "from").size(); ++k)
-    if (column(row, "phase_from")[k] == 0.0 && std::lround(1e3 * column(row, "from")[k]) == 18)
-    {
-      EXPECT_NEAR(column(row, "velocity_up")[k], -0.5 * AMPLITUDE * 6.0 * FREQUENCY, 1e-4);
-    }
-  EXPECT_NEAR(*test::numberOf(row, "mean_height"), HEIGHT, 1e-7);
-}
-
 TEST(HeightProfile, CountsFromTheLowestCorners)
 {
   SceneDefinition scene = test::singleParticles(0);

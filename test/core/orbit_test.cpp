@@ -190,44 +190,5 @@ TEST(Orbit, AFlatBaseThatMovesSidewaysDragsADiskAlong)
   }
 }
 
-/// An oblique stroke, up and to the right, transports to the right; mirrored, to the left.
-TEST(Orbit, AnObliqueFeederFeedsTheWayItStrikes)
-{
-  for (const double side : {1.0, -1.0})
-  {
-    SceneDefinition scene = test::mixture(60);
-    scene.base.tooth_height = 0.0;
-    scene.base.horizontal_amplitude = side * 0.002;
-    Simulation simulation(scene);
-    simulation.advanceTo(5.0);
-    for (const SpeciesMeans& means : simulation.means())
-      EXPECT_GT(side * *means.mean_vx, 0.02);
-  }
-}
-
-/// Independent disks: the ensemble loop is compared with each disk alone in the pair loop.
-TEST(Orbit, AnEnsembleIsManyDisksAlone)
-{
-  SceneDefinition scene = test::onAnOrbit(test::singleParticles(0));
-  scene.base.inclination = -0.1;
-  for (int i = 0; i < 10; ++i)
-    scene.initial.push_back({0, 0.03 * i, 0.02, 0.02 * i, 0.0, 3.0 * i});
-  Simulation ensemble(scene);
-  EXPECT_FALSE(ensemble.plan().simd);
-  ensemble.advanceTo(0.4);
-  const std::vector<DiskState> together = ensemble.disks();
-  for (std::size_t i = 0; i < together.size(); ++i)
-  {
-    SceneDefinition alone = scene;
-    alone.initial = {scene.initial[i]};
-    alone.contact.pair_collisions = true;
-    Simulation single(alone);
-    single.advanceTo(0.4);
-    EXPECT_GT(single.collisions().total(), 2u);
-    EXPECT_NEAR(together[i].displacement, single.disks()[0].displacement, 1e-9);
-    EXPECT_NEAR(together[i].y, single.disks()[0].y, 1e-9);
-  }
-}
-
 }  // namespace
 }  // namespace ratchet_sieve

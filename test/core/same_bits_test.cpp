@@ -161,7 +161,6 @@ std::vector<BitsCase> bitsCases()
       {"walled under commands", observed(layerOf(Boundary::WALLED)), turnAndPour},
       {"fed", fed()},
       {"fed ensemble", test::withoutPairs(fed())},
-      {"fed and compacted", fedSieve(), [](Simulation&) {}, 3.0},
       {"fed from a list and compacted", fedFromAList(), [](Simulation&) {}, 3.0},
       {"ensemble", observed(ensemble())},
       {"ensemble under commands", observed(ensemble()), turnAndPour},

@@ -39,29 +39,6 @@ TEST(Simulation, TimesThatAreNoneOrEarlierDoNothing)
   EXPECT_EQ(test::stateHash(simulation), hash);
 }
 
-TEST(Simulation, EnergyIsThatOfTheDisksAsTheyAreShown)
-{
-  for (const bool pairs : {true, false})
-  {
-    SceneDefinition scene = test::mixture(10);
-    scene.base.teeth = 2;
-    scene.base.inclination = 0.2;
-    scene.contact.pair_collisions = pairs;
-    Simulation simulation(scene);
-    for (int k = 1; k <= 200; ++k)
-    {
-      simulation.advanceTo(0.05 * k);
-      double potential = 0.0;
-      for (const DiskState& disk : simulation.disks())
-      {
-        EXPECT_LE(std::abs(disk.x), 0.05) << "shown within the machine";
-        potential += scene.species[disk.species].mass * 9.81 * disk.y;
-      }
-      EXPECT_GE(simulation.energy(), potential);
-    }
-  }
-}
-
 TEST(Simulation, DisksThatStartManyLapsAwayMeetAllTheSame)
 {
   for (const int laps : {0, 1, -1, 2, 5, -3})
@@ -157,18 +134,6 @@ TEST(Simulation, KineticMeansAreExactIntegralsOverFreeFall)
   EXPECT_FALSE(simulation.means()[0].mean_vx_stderr);
 }
 
-TEST(Simulation, PourAddsDisksWhereThereIsRoom)
-{
-  Simulation simulation(test::mixture(30));
-  simulation.advanceTo(1.0);
-  simulation.pour(1, 50);
-  EXPECT_EQ(simulation.activeDisks(), 110u);
-  EXPECT_EQ(simulation.bins()[1].on_base, 80u);
-  test::expectNoOverlap(simulation, 1e-15);
-  simulation.advanceTo(2.0);
-  test::expectNoOverlap(simulation);
-}
-
 std::string refusal(const SceneDefinition& scene)
 {
   try
@@ -225,41 +190,6 @@ TEST(Simulation, DisksThatRestAgainstAWallAreFree)
   floating.advanceTo(10.0);
   EXPECT_EQ(floating.collisions().total(), 0u);
   EXPECT_LT(floating.events(), 1000u);
-}
-
-TEST(Simulation, FlightsThatGoFarAndHighComeDownWhereTheBaseIs)
-{
-  // An acceleration of 10^4 g: disks fly for minutes, over hundreds of kilometres.
-  SceneDefinition scene = test::singleParticles(20);
-  scene.base.amplitude = 4.7;
-  Simulation simulation(scene);
-  simulation.advanceTo(1000.0);
-  EXPECT_GT(simulation.collisions().total(), 1000u);
-  test::expectNoOverlap(simulation);
-}
-
-TEST(Simulation, SmallDisksFarFromEachOtherTouchAsExactlyAsNearOnes)
-{
-  SceneDefinition scene = test::mixture(60);
-  scene.species[0].radius = 1e-6;
-  scene.species[1].radius = 2e-6;
-  Simulation simulation(scene);
-  simulation.advanceTo(20.0);
-  EXPECT_GT(simulation.collisions().disk_disk, 10u);
-  EXPECT_LT(simulation.maxOverlap(), 1e-9 * 1e-6);
-}
-
-TEST(Simulation, AnEmptyMachineRuns)
-{
-  SceneDefinition scene = test::mixture(0);
-  for (const bool pairs : {true, false})
-  {
-    scene.contact.pair_collisions = pairs;
-    Simulation simulation(scene);
-    simulation.advanceTo(10.0);
-    EXPECT_EQ(simulation.time(), 10.0);
-    EXPECT_FALSE(simulation.means()[0].mean_vx);
-  }
 }
 
 }  // namespace

@@ -187,7 +187,7 @@ TEST_F(Journals, SaysOnceThatTheBaseIsChoked)
 {
   SceneDefinition scene = chokedFeeder();
   scene.feed.on_choke = ChokeAction::STOP;
-  follow(scene, 0.0, scene.duration, 1.0);
+  follow(scene, 0.0, 0.5 * scene.duration, 1.0);
   ASSERT_EQ(warned.size(), 1u);
   EXPECT_EQ(warned[0].rfind("the base is choked: of ", 0), 0u) << warned[0];
 }

@@ -68,7 +68,7 @@ def test_names_are_kept(old, now):
 
 def test_calls_of_python_are_kept(old, now):
     new = now.names["calls"]
-    for name, parameters in old.names["calls"].items():
+    for name, parameters in old.names.get("calls", {}).items():
         assert name in new
         for parameter, place in (parameters or {}).items():
             assert new[name].get(parameter, "").startswith(place), f"{parameter} of {name}"

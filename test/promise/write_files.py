@@ -135,9 +135,9 @@ def scene_values(folder):
     return {name: rs.Scene.load(folder / f"{name}.yaml").values for name in ("machine", "placed", "second")}
 
 
-def bag_results(bag, folder):
-    """What is read from a bag; its tables and plots go to the folder."""
-    output("sieve_analyze", bag, "--summary", folder / "analysis.json", "--out", folder / "tables")
+def bag_results(bag, folder, *options):
+    """What is read from a bag. @param options of sieve_analyze"""
+    output("sieve_analyze", bag, "--summary", folder / "analysis.json", *options)
     frames = rs.read_bag(bag).frames
     return {"analysis": json.loads((folder / "analysis.json").read_text()), "time": frames.time.tolist(),
             **{name: {column: array[column].tolist() for column in array.dtype.names}
@@ -161,7 +161,8 @@ def write(folder):
             results.execute("UPDATE cases SET host = 'here'").connection.commit()
         output("sieve_sweep", "export", sweep, "--out", folder / "cases.csv")
         node = record(machine, bag)
-        results = {"summary": json.loads(summary), "scenes": scene_values(folder), "bag": bag_results(bag, tables)}
+        results = {"summary": json.loads(summary), "scenes": scene_values(folder),
+                   "bag": bag_results(bag, tables, "--out", tables / "tables")}
         for name in ("exits.csv", "cases.csv"):
             shutil.copy(folder / name, tables)
         names = {"version": rs.__version__, "physics": rs.origin.physics(), "keys": scene_keys(), "node": node,
@@ -172,7 +173,8 @@ def write(folder):
                  "calls": calls(), "columns": columns(machine, tables)}
     (folder / "names.yaml").write_text(yaml.safe_dump(names, default_flow_style=None, width=118))
     (folder / "results.json").write_text(json.dumps(results, indent=1, sort_keys=True) + "\n")
-    subprocess.run(["gzip", "-9n", folder / "sweep.db", folder / "run.checkpoint", folder / "results.json"], check=True)
+    for name in ("sweep.db", "run.checkpoint", "results.json", "run.bag"):
+        subprocess.run(["gzip", "-9n", folder / name], check=True)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
 """separate(): the surface, the search, and what it answers."""
 import json
+import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -24,8 +26,14 @@ def changed(**changes):
 
 
 @pytest.fixture(scope="module")
-def answer():
-    return rs.separate(SCENE, {THETA: (0.0, 0.4)}, within=0.06)
+def runs(tmp_path_factory):
+    """The file that keeps the answer's runs."""
+    return tmp_path_factory.mktemp("answer") / "runs.db"
+
+
+@pytest.fixture(scope="module")
+def answer(runs):
+    return rs.separate(SCENE, {THETA: (0.0, 0.4)}, within=0.06, results=runs)
 
 
 def test_a_surface_is_a_gaussian_process():
@@ -162,7 +170,7 @@ def test_a_goal_must_be_a_number_of_the_results():
 
 
 def test_whole_numbers_are_run_once_each():
-    found = rs.separate(SCENE, {"base.teeth": (8, 10)}, within=0.3)
+    found = rs.separate(SCENE, {"base.teeth": (8, 10)}, within=0.9)
     assert sorted(set(found.runs["base.teeth"])) == [8, 9, 10] and len(found.map) == 3
 
 
@@ -224,7 +232,8 @@ def program(*arguments, cwd):
                           text=True)
 
 
-def test_the_program_answers_as_the_function_does(answer, tmp_path):
+def test_the_program_answers_as_the_function_does_with_the_runs_that_are_kept(answer, runs, tmp_path):
+    kept = pathlib.Path(shutil.copy(runs, tmp_path / "feeder.separate.db"))
     (tmp_path / "feeder.yaml").write_text(rs.Scene(SCENE).yaml, encoding="utf-8")
     ran = program("feeder.yaml", "--over", f"{THETA}=0:0.4", "--within", "0.06", "--json", "answer.json", "--html", "answer.html",
                   "--plot", "answer.png", "--best", "best.yaml", cwd=tmp_path)
@@ -235,7 +244,7 @@ def test_the_program_answers_as_the_function_does(answer, tmp_path):
     assert rs.Scene.load(tmp_path / "best.yaml")[THETA] == answer.best[THETA]
     assert (tmp_path / "answer.png").stat().st_size > 10_000
     assert str(answer).splitlines()[0] in (tmp_path / "answer.html").read_text(encoding="utf-8")
-    assert (tmp_path / "feeder.separate.db").exists()
+    assert len(rs.read_sweep(kept)) == len(rs.read_sweep(runs))
 
 
 @pytest.mark.parametrize("arguments, status, line", (
@@ -253,18 +262,23 @@ def test_the_program_refuses_bad_arguments(arguments, status, line, tmp_path):
 
 
 RANGES = {THETA: (0.0, 0.4), "feed.rate": (30.0, 120.0)}
+START = [{THETA: 0.123}]
 
 
 @pytest.fixture(scope="module")
 def kept(tmp_path_factory):
-    """A front, and the file that keeps its runs."""
+    """A front of fewer runs than a user's, and the file that keeps them."""
     path = tmp_path_factory.mktemp("front") / "runs.db"
-    return rs.front(SCENE, RANGES, trials=16, results=path), path
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(front, "PROMISING", 4)
+        patch.setattr(front, "RUNS", 3)
+        yield rs.front(SCENE, RANGES, trials=16, start=START, results=path), path
 
 
 def test_a_front_is_what_nothing_beats_in_both(kept, tmp_path):
     found, path = kept
-    pandas.testing.assert_frame_equal(found.table, rs.front(SCENE, RANGES, trials=16, results=path, threads=1).table)
+    pandas.testing.assert_frame_equal(found.table, rs.front(SCENE, RANGES, trials=16, start=START, results=path,
+                                                                threads=1).table)
     assert len(found.tried) == 16 and len(found.table) > 1
     assert found.table.throughput.is_monotonic_increasing
     row = found.best_row(30.0)
@@ -305,8 +319,8 @@ def test_unbeaten_points_against_each_pair():
     assert set(front._unbeaten(values, throughputs)) == set(range(40)) - beaten
 
 
-def test_a_front_begins_with_the_settings_that_are_given():
-    found = rs.front(SCENE, RANGES, trials=8, start=[{THETA: 0.123}])
+def test_a_front_begins_with_the_settings_that_are_given(kept):
+    found, _ = kept
     assert found.tried[THETA][0] == 0.123 and found.tried["feed.rate"][0] == 60.0
 
 

@@ -268,7 +268,7 @@ TEST_F(SieveRun, LeavesAWholeCheckpointWhereverItIsKilled)
   const std::string run_of_many = config("demo.yaml") + " --set density=40 --duration 100000000";
   const std::string program = std::string(std::getenv("SIEVE_RUN")) + " " + run_of_many +
                               " --checkpoint-every 0 --checkpoint " + checkpoint;
-  for (int kills = 0; kills < 4; ++kills)
+  for (int kills = 0; kills < 2; ++kills)
   {
     // Checkpoints are saved continuously; the program is killed as soon as a temporary file appears beside a
     // checkpoint.

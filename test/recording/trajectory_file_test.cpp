@@ -131,27 +131,5 @@ TEST(TrajectoryFile, SaysThatTheDiskIsFullAndKeepsTheEarlierOne)
   EXPECT_EQ(contents(directory / "run.xyz"), before);
 }
 
-TEST(TrajectoryFile, HasTheFramesOfARunAtItsOwnRate)
-{
-  const ScratchDirectory directory;
-  SceneDefinition scene = smallMixture();
-  scene.duration = 1.0;
-  Simulation simulation(scene);
-  TrajectoryFile ten(directory / "run.xyz"), ends(directory / "ends.xyz");
-  RunWatchers watchers;
-  watchers.frames = {{&ten, trajectoryRates(10.0)}, {&ends, trajectoryRates(0.0)}};
-  runToEnd(simulation, watchers);
-  ten.commit();
-  ends.commit();
-  for (const auto& [name, frames] : {std::pair("run.xyz", 11), {"run_base.xyz", 11}, {"ends.xyz", 2}})
-  {
-    const std::string text = contents(directory / name);
-    int times = 0;
-    for (std::size_t at = 0; (at = text.find(" Time=", at)) != std::string::npos; ++at)
-      ++times;
-    EXPECT_EQ(times, frames) << name;
-  }
-}
-
 }  // namespace
 }  // namespace ratchet_sieve

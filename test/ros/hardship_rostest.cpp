@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "node_reports.h"
-#include "ratchet_sieve/recording/same_bits.h"
 #include "read_bags.h"
 #include "started_node.h"
 
@@ -19,22 +18,6 @@ constexpr std::size_t FREED_AND_KEPT = std::size_t{256} << 20;
 #else
 constexpr std::size_t FREED_AND_KEPT = 0;
 #endif
-
-TEST(Hardship, aNodeThatWasKilledComesAgainUnderItsController)
-{
-  StartedNode started("/phoenix", {});
-  SieveClient& sieve = started.sieve;
-  sieve.command("inclination", 0.1);
-  sieve.stepAndSee(1.0);
-  const ParticleFrame first_end = sieve.particles.frames.back();
-  started.killAtOnce();
-  started.start();
-  EXPECT_EQ(sieve.base.frames.front().time, 0.0);
-  EXPECT_EQ(sieve.base.frames.front().base.commanded_inclination, 0.0);
-  sieve.command("inclination", 0.1);
-  sieve.stepAndSee(1.0);
-  EXPECT_TRUE(sameBits(sieve.particles.frames.back(), first_end));
-}
 
 /// The number of nodes that have subscribed to a topic, as the master knows it.
 int subscribers(const std::string& topic)

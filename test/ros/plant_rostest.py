@@ -103,7 +103,7 @@ class Plant(Launched):
         return self.start(['bash', '-c', line.replace('roslaunch', 'exec roslaunch', 1)], **environment)
 
     def test_two_that_start_at_once_have_one_clock(self):
-        for _ in range(3):
+        for _ in range(2):
             with tempfile.TemporaryDirectory() as scratch:
                 both = Path(scratch) / 'both.launch'
                 both.write_text('<launch>' + ''.join(

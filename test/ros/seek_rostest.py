@@ -71,10 +71,7 @@ class Seek(unittest.TestCase):
 
     def test_3_refuses_what_it_cannot_do(self):
         for parameter, error in (
-                ('goal:=purity:A', 'purity:A: must be quality, purity:SPECIES:BIN, recovery:SPECIES:BIN, flow:SPECIES:BIN '
-                                   'or throughput, BIN left or right; all but quality may end in :mass'),
                 ('goal:=flow:C:left', 'flow:C:left: there is no species C; there are A, B'),
-                ('drop:=2', '2: must be a number from 0 to 1'),
                 ('inclination/min:=-1', '-1: must be a number from -0.5 to 0.5')):
             run = subprocess.run(['rosrun', 'ratchet_sieve', 'seek.py', '__name:=refused', f'_{parameter}'],
                                  capture_output=True, text=True, timeout=TIMEOUT)

@@ -9,7 +9,7 @@ import document
 import paper
 import sweeps
 import validation
-from study import Outcome, Picture, Study, Sweep
+from study import Outcome, Picture, Study
 from verdicts import Claim, above
 
 CSV = """base.frequency,seed,status,error,simulated_time,wall_time,mean_vx.A,quality,version,physics,scene_hash
@@ -27,7 +27,7 @@ def hand_made_rows():
 
 
 def hand_made_study():
-    return Study("made", "Made by hand", (Sweep("paper_fig5"),), lambda rows: rows["paper_fig5"].mean("mean_vx.A"),
+    return Study("made", "Made by hand", ("paper_fig5",), lambda rows: rows["paper_fig5"].mean("mean_vx.A"),
                  (Picture("made", "A caption", None),),
                  lambda mean: [Claim("1", "Fig. 0", "it goes right", (above("⟨V_x⟩ > 0", mean),))],
                  figures=lambda mean: {"made.drift": mean.text()}, tables=lambda mean: {"made": (["f"], [["20"]])})
@@ -69,18 +69,7 @@ class Documents(unittest.TestCase):
         self.assertEqual([line.split(" | ")[0] for line in lines], ["| 6", "| 7", "| 10", "| A1", "| A2"])
 
     def test_the_sweeps_of_these_documents_are_those_of_their_studies(self):
-        used = {sweep.name for package in (paper, validation) for study in package.STUDIES for sweep in study.sweeps}
+        used = {name for package in (paper, validation) for study in package.STUDIES for name in study.sweeps}
         there = {path.stem for path in sweeps.DIRECTORY.glob("*.yaml")
                  if path.stem.startswith(("paper_", "parting_", "validation_"))}
         self.assertEqual(there, used)
-
-
-class Quick(unittest.TestCase):
-    def test_quick_runs_some_of_the_cases(self):
-        made = sweeps.quick_definition({"scene": "s.yaml", "grid": {"a": [1, 2, 3, 4, 5, 6], "b": [1, 2]},
-                                         "seed": {"first": 3, "count": 40}}, {"a": (4.0,)})
-        self.assertEqual(made["grid"], {"a": [1, 3, 4, 5], "b": [1, 2]})
-        self.assertEqual(made["seed"], {"first": 3, "count": 10})
-
-    def test_a_range_is_thinned_as_a_list_is(self):
-        self.assertEqual(sweeps.thinned({"from": -0.3, "to": 0.3, "count": 7}, ()), [-0.3, -0.1, 0.1, 0.3])
