@@ -71,6 +71,8 @@ ResultStore::ResultStore(const std::string& path, Database::Access access) : dat
                         version() + " reads format " + std::to_string(FORMAT));
   if (access == Database::Access::WRITE)
     makeTables();
+  for (const std::string& name : columnNames())
+    columns_.insert(lowerCase(name));
 }
 
 void ResultStore::makeTables()
@@ -94,25 +96,15 @@ std::vector<std::string> ResultStore::columnNames() const
   return names;
 }
 
-/// Their names in lower case.
-std::set<std::string> ResultStore::columns() const
-{
-  std::set<std::string> columns;
-  for (const std::string& name : columnNames())
-    columns.insert(lowerCase(name));
-  return columns;
-}
-
 bool ResultStore::hasColumn(const std::string& name) const
 {
-  return columns().count(lowerCase(name)) > 0;
+  return columns_.count(lowerCase(name)) > 0;
 }
 
 void ResultStore::addColumns(const std::vector<std::string>& names)
 {
-  std::set<std::string> known = columns();
   for (const std::string& name : names)
-    if (known.insert(lowerCase(name)).second)
+    if (columns_.insert(lowerCase(name)).second)
       database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
 }
 
@@ -142,11 +134,10 @@ void ResultStore::addScalars(const Json& summary, SummaryColumns& row) const
   std::set<std::string> taken;
   for (const auto& [name, value] : row)
     taken.insert(lowerCase(name));
-  const std::set<std::string> known = columns();
-  std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, known.size());
+  std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, columns_.size());
   for (auto& scalar : summaryColumns(summary))
   {
-    const bool is_new = known.count(lowerCase(scalar.first)) == 0;
+    const bool is_new = !hasColumn(scalar.first);
     if (!isColumnName(scalar.first) || (is_new && room == 0) || !taken.insert(lowerCase(scalar.first)).second)
       continue;
     room -= is_new ? 1 : 0;

@@ -42,11 +42,11 @@ public:
 
 private:
   void makeTables();
-  std::set<std::string> columns() const;
   void addScalars(const nlohmann::ordered_json& summary, SummaryColumns& row) const;
   void insert(const std::vector<std::string>& columns, const SqlValues& values);
 
   Database database_;
+  std::set<std::string> columns_;  ///< of the table, in lower case
 };
 
 /// YAML text as an integer, a number or text, according to its form; nothing as null.
