@@ -1,4 +1,4 @@
-"""Programs that need what the Debian package only recommends: `python3 -m ratchet_sieve.recommended MODULE [ARGUMENT...]`"""
+"""Programs that need what the Debian package only recommends."""
 import runpy
 import sys
 
@@ -9,8 +9,3 @@ def run(module, program):
         runpy.run_module(module, run_name="__main__", alter_sys=True)
     except ModuleNotFoundError as missing:
         sys.exit(f"{program}: {missing}: apt-get install --no-install-recommends python3-matplotlib python3-scipy")
-
-
-if __name__ == "__main__":
-    name = sys.argv.pop(1)
-    run(name, name)

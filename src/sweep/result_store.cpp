@@ -71,8 +71,6 @@ ResultStore::ResultStore(const std::string& path, Database::Access access) : dat
                         version() + " reads format " + std::to_string(FORMAT));
   if (access == Database::Access::WRITE)
     makeTables();
-  for (const std::string& name : columnNames())
-    columns_.insert(lowerCase(name));
 }
 
 void ResultStore::makeTables()
@@ -96,16 +94,34 @@ std::vector<std::string> ResultStore::columnNames() const
   return names;
 }
 
+/// Read again where the schema is another one: after a rollback, or by another process.
+const std::set<std::string>& ResultStore::columns() const
+{
+  Json schema_version = database_.value("PRAGMA schema_version");
+  if (schema_version == schema_version_)
+    return columns_;
+  columns_.clear();
+  for (const std::string& name : columnNames())
+    columns_.insert(lowerCase(name));
+  schema_version_ = std::move(schema_version);
+  return columns_;
+}
+
 bool ResultStore::hasColumn(const std::string& name) const
 {
-  return columns_.count(lowerCase(name)) > 0;
+  return columns().count(lowerCase(name)) > 0;
 }
 
 void ResultStore::addColumns(const std::vector<std::string>& names)
 {
+  const std::set<std::string>& known = columns();
   for (const std::string& name : names)
-    if (columns_.insert(lowerCase(name)).second)
-      database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
+  {
+    if (known.count(lowerCase(name)) > 0)
+      continue;
+    database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
+    columns();
+  }
 }
 
 void ResultStore::insert(const std::vector<std::string>& columns, const SqlValues& values)
@@ -134,10 +150,11 @@ void ResultStore::addScalars(const Json& summary, SummaryColumns& row) const
   std::set<std::string> taken;
   for (const auto& [name, value] : row)
     taken.insert(lowerCase(name));
-  std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, columns_.size());
+  const std::set<std::string>& known = columns();
+  std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, known.size());
   for (auto& scalar : summaryColumns(summary))
   {
-    const bool is_new = !hasColumn(scalar.first);
+    const bool is_new = known.count(lowerCase(scalar.first)) == 0;
     if (!isColumnName(scalar.first) || (is_new && room == 0) || !taken.insert(lowerCase(scalar.first)).second)
       continue;
     room -= is_new ? 1 : 0;
