@@ -91,6 +91,42 @@ TEST(PairSearch, EndsOnABaseThatTurnsForYears)
   EXPECT_DOUBLE_EQ(*found, 0.1 / 1e-9);
 }
 
+/// Many disks side by side give the same results as each alone, bit for bit.
+TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        SceneDefinition scene = test::mixture(0);
+        scene.base.inclination = *rc::gen::element(0.0, 0.1);
+        SystemState system(scene);
+        const auto count = *rc::gen::inRange<std::uint32_t>(1, 40);
+        for (std::uint32_t id = 0; id < count; ++id)
+        {
+          Disk disk;
+          disk.position.x() = drawn(0.0, 0.05);
+          disk.position.y() = drawn(0.01, 0.05);
+          disk.velocity.x() = drawn(-0.5, 0.5);
+          disk.velocity.y() = drawn(-0.5, 0.5);
+          disk.time = drawn(0.0, 0.01);
+          disk.species = *rc::gen::inRange(0U, 2U);
+          test::addDisk(system, disk);
+        }
+        std::vector<std::uint32_t> all(count);
+        std::iota(all.begin(), all.end(), 0);
+        const int shift = *rc::gen::inRange(-1, 2);
+        const PairSearch search(system.pairScene(), 0, 0.01);
+        PairContact expected;
+        for (std::uint32_t id = 1; id < count; ++id)
+          if (const auto time = search.contactWith(id, shift))
+            expected.keepEarlier({*time, id, shift});
+        const PairContact found = search.firstAmong(all.data(), all.size(), shift);
+        RC_CLASSIFY(found.time < 1.0, "contact");
+        RC_ASSERT(found.time == expected.time);
+        RC_ASSERT(found.partner == expected.partner);
+      }));
+}
+
 /// A ring of disks that closes around one: they touch it at times that differ by less than the time
 /// resolution.
 TEST(PairSearch, TiesGoToTheSmallestId)

@@ -192,5 +192,16 @@ TEST(Simulation, DisksThatRestAgainstAWallAreFree)
   EXPECT_LT(floating.events(), 1000u);
 }
 
+TEST(Simulation, SmallDisksFarFromEachOtherTouchAsExactlyAsNearOnes)
+{
+  SceneDefinition scene = test::mixture(60);
+  scene.species[0].radius = 1e-6;
+  scene.species[1].radius = 2e-6;
+  Simulation simulation(scene);
+  simulation.advanceTo(20.0);
+  EXPECT_GT(simulation.collisions().disk_disk, 10u);
+  EXPECT_LT(simulation.maxOverlap(), 1e-9 * 1e-6);
+}
+
 }  // namespace
 }  // namespace ratchet_sieve
