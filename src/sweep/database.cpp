@@ -139,7 +139,7 @@ Json Database::value(const std::string& sql, const SqlValues& values) const
 {
   Statement& statement = prepared(sql);
   statement.restart(values);
-  const Json value = statement.step() ? statement.value(0) : Json(nullptr);
+  Json value = statement.step() ? statement.value(0) : Json(nullptr);
   statement.restart();
   return value;
 }
