@@ -20,8 +20,7 @@ namespace
 constexpr const char* PYTHON = "/usr/bin/python3";
 
 /// Says in one line what is missing, as matplotlib, which is recommended only.
-constexpr const char* RUN =
-    "import sys; from ratchet_sieve.recommended import run; run(sys.argv.pop(1), sys.argv.pop(1))";
+constexpr const char* RUN = "import sys; from ratchet_sieve.recommended import run; run(sys.argv.pop(1))";
 
 /// Where Python finds the package, from this program's directory: in the devel and the install space; in a
 /// build tree without ROS.
@@ -42,7 +41,7 @@ int runModule(const std::string& module, std::vector<std::string> arguments)
 {
   const char* others = std::getenv("PYTHONPATH");
   const std::string path = pythonDirectory().string() + (others != nullptr ? ":" + std::string(others) : "");
-  arguments.insert(arguments.begin(), {PYTHON, "-c", RUN, module, module});
+  arguments.insert(arguments.begin(), {PYTHON, "-c", RUN, module});
   std::vector<char*> argv;
   argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments)

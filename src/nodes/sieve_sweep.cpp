@@ -96,8 +96,9 @@ int run(const Sweep& sweep, SweepArguments& arguments)
   SweepOutcome outcome;
   {
     ProgressBar line;
-    arguments.options.progress = [&line](const SweepProgress& progress)
-    { line.show(sweepProgressText(progress)); };
+    if (line.isVisible())
+      arguments.options.progress = [&line](const SweepProgress& progress)
+      { line.show(sweepProgressText(progress)); };
     outcome = runSweep(sweep, arguments.results, arguments.options);
   }
   const SweepCounts& counts = outcome.counts;

@@ -64,6 +64,14 @@ public:
     stop_ = true;
     for (std::thread& thread : threads_)
       thread.join();
+    try
+    {
+      ledger_.forgetUnfinished();  // they were stopped, also where an error ends the run
+    }
+    catch (const DatabaseError&)
+    {
+      // The next run takes them for those of a process that died.
+    }
   }
   SweepRun(const SweepRun&) = delete;
   SweepRun& operator=(const SweepRun&) = delete;
@@ -82,7 +90,6 @@ public:
     watch(threads);
     if (error_)
       fail();
-    ledger_.forgetUnfinished();
     return threads;
   }
 
@@ -125,20 +132,18 @@ private:
   /// Until all threads have ended.
   void watch(std::size_t threads)
   {
-    std::unique_lock<std::mutex> lock(mutex_);
-    while (true)
+    for (bool ended = false; !ended;)
     {
-      const bool ended = ended_ == threads;
-      const SweepProgress progress = ledger_.progress();
-      lock.unlock();
-      if (options_.progress)
-        options_.progress(progress);
-      if (ended)
-        return;
       stopWanted();
-      lock.lock();
+      std::unique_lock<std::mutex> lock(mutex_);
       if (ended_ < threads)
         news_.wait_for(lock, POLL_PERIOD);
+      ended = ended_ == threads;
+      if (!options_.progress)
+        continue;
+      const SweepProgress progress = ledger_.progress();
+      lock.unlock();
+      options_.progress(progress);
     }
   }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -375,6 +376,20 @@ TEST_F(SweepRunTest, IsAnErrorWhereTheResultsFileIsRemovedMeanwhile)
   };
   EXPECT_THROW(runSweep(sweep, results_, removing), DatabaseError);
   EXPECT_EQ(runSweep(sweep, results_, {}).counts.done, 20u);
+}
+
+/// Otherwise the next run would take them for those of a process that died.
+TEST_F(SweepRunTest, LeavesNoCaseUnderWayWhereAnErrorEndsIt)
+{
+  const Sweep sweep = load("set: {duration: 1e6}\nseed: {first: 1, count: 2}\n");
+  SweepRunOptions failing;
+  failing.progress = [](const SweepProgress& progress)
+  {
+    if (progress.running > 0)
+      throw std::runtime_error("of the caller");
+  };
+  EXPECT_THROW(runSweep(sweep, results_, failing), std::runtime_error);
+  EXPECT_EQ(Database(results_, Database::Access::READ).value("SELECT COUNT(*) FROM under_way"), 0);
 }
 
 TEST_F(SweepRunTest, EndsWhereTheFileListsOtherCasesThanTheSweepHas)

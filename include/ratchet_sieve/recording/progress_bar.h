@@ -38,6 +38,8 @@ public:
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
+  bool isVisible() const { return visible_; }
+
   /// Any line.
   void show(const std::string& line);
 
