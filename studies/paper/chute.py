@@ -58,8 +58,8 @@ def claims(numbers):
                            (verdicts.below(says, loss(mean).minus(loss(whole).scaled(SHARE))),))]
 
 
-TEXT = ("A disk that starts near the end to which the other kind goes may leave there first. 100 teeth, 2 m, d = 1 on "
-        "the whole base; on a fifth of it (`pour.from`, `pour.to`) the heap is five times as deep.")
+TEXT = ("100 teeth, 2 m, d = 1 on the whole base; on a fifth of it (`pour.from`, `pour.to`) the heap is five times as "
+        "deep.")
 
 
 STUDY = Study("chute", "Fig. 9's mixture poured by a chute", ("paper_fig9_chute",), evaluate,

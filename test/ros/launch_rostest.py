@@ -210,30 +210,24 @@ class Launch(Launched):
 
     # The controller of docs/node.md, saved as it says there.
 
-    def saved_controller(self):
+    def launch_for_control(self, duration):
+        """@return the command that runs the controller"""
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
-        script = Path(scratch.name) / 'controller.py'
-        script.write_text(re.search(r'^```python\n(#!/usr/bin/python3\n.*?)^```', (PACKAGE / 'docs/node.md').read_text(),
-                                    re.DOTALL | re.MULTILINE)[1])
-        script.chmod(0o755)
-        return script
-
-    def launch_for_control(self, duration):
-        """@return the controller"""
-        controller = self.saved_controller()
-        scene = controller.with_name('scene.yaml')
+        controller, scene = Path(scratch.name) / 'controller.py', Path(scratch.name) / 'scene.yaml'
+        page = (PACKAGE / 'docs/node.md').read_text()
+        controller.write_text(re.search(r'^```python\n(.*?)^```', page, re.DOTALL | re.MULTILINE)[1])
         scene.write_text((PACKAGE / 'test/ros/mixture.yaml').read_text().replace('duration: 20.0', f'duration: {duration}'))
         self.launch('sieve.launch', f'scene:={scene}', *STILL)
-        return controller
+        return ['/usr/bin/python3', controller]
 
     def test_controller_runs_to_the_end(self):
-        done = subprocess.run([self.launch_for_control(20.0)], capture_output=True, text=True, timeout=TIMEOUT)
+        done = subprocess.run(self.launch_for_control(20.0), capture_output=True, text=True, timeout=TIMEOUT)
         self.assertEqual((done.returncode, done.stderr), (0, ''))
         self.assertRegex(done.stdout, r'^20\.0 [0-9.]+ $')
 
     def test_controller_says_in_one_line_that_its_sieve_is_gone(self):
-        run = subprocess.Popen([self.launch_for_control(1e6)], stderr=subprocess.PIPE, text=True)
+        run = subprocess.Popen(self.launch_for_control(1e6), stderr=subprocess.PIPE, text=True)
         wait_for(lambda: message('/sieve/base', BaseState).header.stamp.to_sec() > 1.0, 'it is under way')
         with xmlrpc.client.ServerProxy(self.master.lookupNode('/sieve')) as node:
             os.kill(node.getPid('/launch_rostest')[2], signal.SIGKILL)
