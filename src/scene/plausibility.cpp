@@ -1,26 +1,22 @@
 #include "plausibility.h"
 
 #include <cmath>
-#include <sstream>
+
+#include <fmt/format.h>
 
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/scene/scalars.h"
 #include "ratchet_sieve/scene/shown_text.h"
+#include "schema.h"
 
 namespace ratchet_sieve
 {
 
 std::string figureText(const Figure& figure)
 {
-  std::ostringstream out;
   const bool whole = std::abs(figure.value) >= 1e4 && std::abs(figure.value) < 1e9;
-  out.precision(whole ? 0 : 4);
-  if (whole)
-    out << std::fixed;
-  out << figure.value;
-  if (*figure.unit != '\0')
-    out << ' ' << figure.unit;
-  return out.str();
+  const std::string number = fmt::format(whole ? "{:.0f}" : "{:.4g}", figure.value);
+  return *figure.unit == '\0' ? number : number + ' ' + figure.unit;
 }
 
 std::string Plausibility::suggestion(const Subject& subject, std::initializer_list<double> factors) const
@@ -68,83 +64,70 @@ void Plausibility::rule(const char* id, const Subject& subject, double ratio, do
 namespace
 {
 
-using Values = std::vector<double*>;
-
-Values lengthsOfBase(SceneDefinition& scene)
-{
-  BaseDefinition& base = scene.base;
-  Values values = {&base.tooth_width, &base.tooth_height, &base.amplitude, &base.horizontal_amplitude,
-                   &base.wall_height};
-  for (OutlineCorner& corner : base.profile)
-    values.insert(values.end(), {&corner.s, &corner.n});
-  for (HarmonicDefinition& harmonic : base.harmonics)
-    values.insert(values.end(), {&harmonic.amplitude, &harmonic.horizontal_amplitude});
-  return values;
-}
-
-Values lengthsOfDisks(SceneDefinition& scene)
-{
-  Values values = {&scene.pour.drop_height, &scene.pour.stretch.from, &scene.pour.stretch.to,
-                   &scene.feed.stretch.from, &scene.feed.stretch.to};
-  for (SpeciesDefinition& species : scene.species)
-  {
-    values.push_back(&species.radius);
-    for (double& radius : species.size.radii)
-      values.push_back(&radius);
-  }
-  for (InitialDisk& disk : scene.initial)
-    values.insert(values.end(), {&disk.x, &disk.y});
-  return values;
-}
-
-Values masses(SceneDefinition& scene)
-{
-  Values values;
-  for (SpeciesDefinition& species : scene.species)
-    values.push_back(&species.mass);
-  return values;
-}
-
-Values speeds(SceneDefinition& scene)
-{
-  Values values = {&scene.gravity, &scene.contact.min_rebound_speed, &scene.contact.restitution_speed,
-                   &scene.pour.speed, &scene.accuracy.mean_vx};
-  for (InitialDisk& disk : scene.initial)
-    values.insert(values.end(), {&disk.vx, &disk.vy});
-  return values;
-}
-
 /// One mistake with units in many keys.
 struct UnitSlip
 {
   const char* text;
-  std::vector<Values (*)(SceneDefinition&)> values;  ///< all a thousand times too large
-  bool counts = false;                               ///< as well, which follow from a density
+  std::set<std::string> units;  ///< of the keys whose numbers are a thousand times too large
+  bool of_base = false;         ///< in the base's keys alone
+  bool counts = false;          ///< as well, which follow from a density
 };
 
 const std::vector<UnitSlip>& unitSlips()
 {
   static const std::vector<UnitSlip> ALL = {
-      {"lengths in mm", {lengthsOfBase, lengthsOfDisks}},
-      {"lengths in mm and masses in g", {lengthsOfBase, lengthsOfDisks, masses}},
-      {"lengths in mm, speeds in mm/s and gravity in mm/s^2", {lengthsOfBase, lengthsOfDisks, speeds}},
-      {"lengths in mm, speeds in mm/s, gravity in mm/s^2 and masses in g",
-       {lengthsOfBase, lengthsOfDisks, speeds, masses}},
-      {"lengths of the base in mm", {lengthsOfBase}},
-      {"lengths of the base in mm", {lengthsOfBase}, true},
+      {"lengths in mm", {"m"}},
+      {"lengths in mm and masses in g", {"m", "kg"}},
+      {"lengths in mm, speeds in mm/s and gravity in mm/s^2", {"m", "m/s", "m/s^2"}},
+      {"lengths in mm, speeds in mm/s, gravity in mm/s^2 and masses in g", {"m", "m/s", "m/s^2", "kg"}},
+      {"lengths of the base in mm", {"m"}, true},
+      {"lengths of the base in mm", {"m"}, true, true},
   };
   return ALL;
+}
+
+void mend(const Slot& slot)
+{
+  if (double* const* number = std::get_if<double*>(&slot))
+    **number *= MILLI;
+  else if (std::vector<double>* const* numbers = std::get_if<std::vector<double>*>(&slot))
+    for (double& each : **numbers)
+      each *= MILLI;
+  else if (std::vector<OutlineCorner>* const* corners = std::get_if<std::vector<OutlineCorner>*>(&slot))
+    for (OutlineCorner& corner : **corners)
+      corner = {MILLI * corner.s, MILLI * corner.n};
 }
 
 SceneDefinition mendedOf(const UnitSlip& slip, const SceneDefinition& scene)
 {
   SceneDefinition mended = scene;
-  for (const auto values : slip.values)
-    for (double* value : values(mended))
-      *value *= MILLI;
-  if (slip.counts)
-    for (SpeciesDefinition& species : mended.species)
-      species.count = static_cast<int>(std::round(species.count * MILLI));
+  const auto mend_keys = [&slip](const auto& keys, auto& part)
+  {
+    for (const auto& key : keys)
+      if (slip.units.count(key.range.unit) > 0)
+        mend(key.slot(part));
+  };
+  mend_keys(BASE_KEYS, mended.base);
+  for (HarmonicDefinition& harmonic : mended.base.harmonics)
+    mend_keys(HARMONIC_KEYS, harmonic);
+  for (SpeciesDefinition& species : mended.species)
+    species.count = slip.counts ? static_cast<int>(std::round(species.count * MILLI)) : species.count;
+  if (slip.of_base)
+    return mended;
+  mend_keys(MOTION_KEYS, mended);
+  for (SpeciesDefinition& species : mended.species)
+  {
+    mend_keys(SPECIES_KEYS, species);
+    mend_keys(TABLE_KEYS, species.size);
+  }
+  mend_keys(CONTACT_KEYS, mended.contact);
+  mend_keys(POUR_KEYS, mended.pour);
+  mend_keys(FEED_KEYS, mended.feed);
+  for (FedDisk& disk : mended.feed.disks)
+    mend_keys(FED_KEYS, disk);
+  for (InitialDisk& disk : mended.initial)
+    mend_keys(INITIAL_KEYS, disk);
+  mend_keys(CERTAINTY_KEYS, mended.accuracy);
   return mended;
 }
 

@@ -24,7 +24,7 @@ BELOW = {
 # None: any.
 LIBRARIES = {
     'core': ['Eigen'],
-    'scene': ['Eigen', 'yaml-cpp'],
+    'scene': ['Eigen', 'yaml-cpp', 'fmt'],
     'recording': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'boost'],
     'sweep': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'sqlite3'],
     'analysis': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt'],
