@@ -86,48 +86,17 @@ const std::vector<UnitSlip>& unitSlips()
   return ALL;
 }
 
-void mend(const Slot& slot)
-{
-  if (double* const* number = std::get_if<double*>(&slot))
-    **number *= MILLI;
-  else if (std::vector<double>* const* numbers = std::get_if<std::vector<double>*>(&slot))
-    for (double& each : **numbers)
-      each *= MILLI;
-  else if (std::vector<OutlineCorner>* const* corners = std::get_if<std::vector<OutlineCorner>*>(&slot))
-    for (OutlineCorner& corner : **corners)
-      corner = {MILLI * corner.s, MILLI * corner.n};
-}
-
 SceneDefinition mendedOf(const UnitSlip& slip, const SceneDefinition& scene)
 {
   SceneDefinition mended = scene;
-  const auto mend_keys = [&slip](const auto& keys, auto& part)
-  {
-    for (const auto& key : keys)
-      if (slip.units.count(key.range.unit) > 0)
-        mend(key.slot(part));
-  };
-  mend_keys(BASE_KEYS, mended.base);
-  for (HarmonicDefinition& harmonic : mended.base.harmonics)
-    mend_keys(HARMONIC_KEYS, harmonic);
+  forEachNumber(mended,
+                [&slip](const std::string& part, const char* unit, double& number)
+                {
+                  if (slip.units.count(unit) > 0 && (part == "base" || !slip.of_base))
+                    number *= MILLI;
+                });
   for (SpeciesDefinition& species : mended.species)
     species.count = slip.counts ? static_cast<int>(std::round(species.count * MILLI)) : species.count;
-  if (slip.of_base)
-    return mended;
-  mend_keys(MOTION_KEYS, mended);
-  for (SpeciesDefinition& species : mended.species)
-  {
-    mend_keys(SPECIES_KEYS, species);
-    mend_keys(TABLE_KEYS, species.size);
-  }
-  mend_keys(CONTACT_KEYS, mended.contact);
-  mend_keys(POUR_KEYS, mended.pour);
-  mend_keys(FEED_KEYS, mended.feed);
-  for (FedDisk& disk : mended.feed.disks)
-    mend_keys(FED_KEYS, disk);
-  for (InitialDisk& disk : mended.initial)
-    mend_keys(INITIAL_KEYS, disk);
-  mend_keys(CERTAINTY_KEYS, mended.accuracy);
   return mended;
 }
 

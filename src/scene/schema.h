@@ -134,6 +134,12 @@ void writeValues(const Keys<Part>& keys, Part part, Write&& write)
       write(key.name, valueText(key, part));
 }
 
+/// @param part of the scene, such as base; empty at the root @param unit of the number's key
+using VisitNumber = std::function<void(const std::string& part, const char* unit, double& number)>;
+
+/// Visits each number that is not an integer, to read it or to change it; of lists each number.
+void forEachNumber(SceneDefinition& scene, const VisitNumber& visit);
+
 /// Visits each row of feed.file, those of feed.side alone if it is given. A row is a map whose errors name
 /// file and line.
 /// @param columns that the rows have @return the file's path @throws SceneError

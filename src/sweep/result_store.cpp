@@ -94,17 +94,12 @@ std::vector<std::string> ResultStore::columnNames() const
   return names;
 }
 
-/// Read again where the schema is another one: after a rollback, or by another process.
-const std::set<std::string>& ResultStore::columns() const
+std::set<std::string> ResultStore::columns() const
 {
-  Json schema_version = database_.value("PRAGMA schema_version");
-  if (schema_version == schema_version_)
-    return columns_;
-  columns_.clear();
+  std::set<std::string> names;
   for (const std::string& name : columnNames())
-    columns_.insert(lowerCase(name));
-  schema_version_ = std::move(schema_version);
-  return columns_;
+    names.insert(lowerCase(name));
+  return names;
 }
 
 bool ResultStore::hasColumn(const std::string& name) const
@@ -114,14 +109,10 @@ bool ResultStore::hasColumn(const std::string& name) const
 
 void ResultStore::addColumns(const std::vector<std::string>& names)
 {
-  const std::set<std::string>& known = columns();
+  std::set<std::string> known = columns();
   for (const std::string& name : names)
-  {
-    if (known.count(lowerCase(name)) > 0)
-      continue;
-    database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
-    columns();
-  }
+    if (known.insert(lowerCase(name)).second)
+      database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
 }
 
 void ResultStore::insert(const std::vector<std::string>& columns, const SqlValues& values)
@@ -150,7 +141,7 @@ void ResultStore::addScalars(const Json& summary, SummaryColumns& row) const
   std::set<std::string> taken;
   for (const auto& [name, value] : row)
     taken.insert(lowerCase(name));
-  const std::set<std::string>& known = columns();
+  const std::set<std::string> known = columns();
   std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, known.size());
   for (auto& scalar : summaryColumns(summary))
   {
