@@ -92,10 +92,10 @@ inline void drawMethod(SceneDefinition& scene)
   scene.accuracy.step = step;
 }
 
-/// Units in which no number of the scene is beyond what is legal.
-inline void drawUnits(SceneDefinition& scene)
+/// Units in which no number of the scene is beyond what is legal. @param smallest length in it [m]
+inline void drawUnits(SceneDefinition& scene, double smallest)
 {
-  constexpr double SMALLEST = 1e-9;  ///< radius of a disk [m]
+  constexpr double SMALLEST = 1e-9;  ///< length [m]
   constexpr double LARGEST = 1e3;    ///< length [m]
   double largest = 0.0;
   forEachNumber(scene,
@@ -104,18 +104,21 @@ inline void drawUnits(SceneDefinition& scene)
                   if (std::string(unit) == "m" && std::isfinite(number))
                     largest = std::max(largest, std::abs(number));
                 });
-  const double length =
-      test::drawnMagnitude(1.001 * SMALLEST / smallestRadius(scene), 0.999 * LARGEST / largest);
+  const double length = test::drawnMagnitude(1.001 * SMALLEST / smallest, 0.999 * LARGEST / largest);
   rescale(scene, length, std::sqrt(length) * test::drawnMagnitude(0.05, 100.0),
           test::drawnMagnitude(1e-13, 1e6));
   scene.accuracy.step = AccuracyDefinition().step;
-  if (!scene.base.profile.empty())
-    scene.base.profile = test::drawnProfile(scene.base.tooth_width, scene.base.tooth_height, 12, SMALLEST);
 }
 
 inline SceneDefinition drawnLegalScene()
 {
   SceneDefinition scene = test::drawnScene();
+  double smallest = smallestRadius(scene);
+  if (!scene.base.profile.empty())
+  {
+    smallest *= 1e-3;
+    scene.base.profile = test::drawnProfile(scene.base.tooth_width, scene.base.tooth_height, 12, smallest);
+  }
   scene.base.phase = drawn(-1e6, 1e6);
   scene.base.asymmetry = drawn(0.0, 1.0);
   scene.species[0].name = *rc::gen::element<std::string>("A", "b-2", "true", "1e3");
@@ -130,7 +133,7 @@ inline SceneDefinition drawnLegalScene()
     placeDisks(scene);
   scene.duration = drawn(0.0, 0.3);
   scene.settle = *rc::gen::element(0.0, 0.0, 0.5, 1.0) * scene.duration;
-  drawUnits(scene);
+  drawUnits(scene, smallest);
   drawMethod(scene);
   return scene;
 }
