@@ -13,7 +13,7 @@
 #include "ratchet_sieve/scene/scene_file.h"
 
 /// Every key of a scene that holds one value, in tables: one row serves reading, checking, writing, hashing,
-/// suggestions and `sieve_run --keys`.
+/// suggestions, the search for wrong units and `sieve_run --keys`.
 namespace ratchet_sieve
 {
 

@@ -44,7 +44,7 @@ private:
   void makeTables();
   std::set<std::string> columns() const;  ///< of the table, in lower case
   void addScalars(const nlohmann::ordered_json& summary, SummaryColumns& row) const;
-  void insert(const std::vector<std::string>& columns, const SqlValues& values);
+  void insert(const SummaryColumns& row);
 
   Database database_;
 };
