@@ -1,7 +1,8 @@
 #include "ratchet_sieve/scene/canonical_scene.h"
 
-#include <cstdio>
 #include <functional>
+
+#include <fmt/format.h>
 
 #include "ratchet_sieve/core/fnv1a.h"
 #include "schema.h"
@@ -137,9 +138,7 @@ std::string motionYaml(const SceneDefinition& scene)
 
 std::string hashText(std::string_view text)
 {
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(fnv1a(text)));
-  return digits;
+  return fmt::format("{:016x}", fnv1a(text));
 }
 
 std::string canonicalYaml(const SceneDefinition& scene)

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
@@ -67,10 +69,7 @@ std::string suggestion(const std::string& name, const std::set<std::string>& kno
 {
   if (const std::optional<std::string> nearest = nearestWord(name, known))
     return "did you mean " + *nearest + "?";
-  std::string list;
-  for (const std::string& word : known)
-    list += (list.empty() ? "must be one of " : ", ") + word;
-  return list;
+  return fmt::format("must be one of {}", fmt::join(known, ", "));
 }
 
 }  // namespace

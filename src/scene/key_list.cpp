@@ -1,6 +1,6 @@
 #include "ratchet_sieve/scene/key_list.h"
 
-#include <utility>
+#include <type_traits>
 
 #include "schema.h"
 
@@ -15,8 +15,9 @@ template <typename Part>
 KeyText textOf(const Key<Part>& key, const std::string& group)
 {
   Part plain{};
-  const LegalValues legal =
-      std::visit([&key](const auto* value) { return legalValues(key.range, *value); }, key.slot(plain));
+  const LegalValues legal = std::visit(
+      [&key](auto* value) { return legalValues<std::remove_pointer_t<decltype(value)>>(key.range); },
+      key.slot(plain));
   std::string default_text = key.default_text != nullptr ? key.default_text : valueText(key, plain);
   if (key.presence == Presence::REQUIRED)
     default_text = REQUIRED;

@@ -1,26 +1,22 @@
 #include "plausibility.h"
 
 #include <cmath>
-#include <sstream>
+
+#include <fmt/format.h>
 
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/scene/scalars.h"
 #include "ratchet_sieve/scene/shown_text.h"
+#include "schema.h"
 
 namespace ratchet_sieve
 {
 
 std::string figureText(const Figure& figure)
 {
-  std::ostringstream out;
   const bool whole = std::abs(figure.value) >= 1e4 && std::abs(figure.value) < 1e9;
-  out.precision(whole ? 0 : 4);
-  if (whole)
-    out << std::fixed;
-  out << figure.value;
-  if (*figure.unit != '\0')
-    out << ' ' << figure.unit;
-  return out.str();
+  const std::string number = fmt::format(whole ? "{:.0f}" : "{:.4g}", figure.value);
+  return *figure.unit == '\0' ? number : number + ' ' + figure.unit;
 }
 
 std::string Plausibility::suggestion(const Subject& subject, std::initializer_list<double> factors) const
@@ -68,70 +64,24 @@ void Plausibility::rule(const char* id, const Subject& subject, double ratio, do
 namespace
 {
 
-using Values = std::vector<double*>;
-
-Values lengthsOfBase(SceneDefinition& scene)
-{
-  BaseDefinition& base = scene.base;
-  Values values = {&base.tooth_width, &base.tooth_height, &base.amplitude, &base.horizontal_amplitude,
-                   &base.wall_height};
-  for (OutlineCorner& corner : base.profile)
-    values.insert(values.end(), {&corner.s, &corner.n});
-  for (HarmonicDefinition& harmonic : base.harmonics)
-    values.insert(values.end(), {&harmonic.amplitude, &harmonic.horizontal_amplitude});
-  return values;
-}
-
-Values lengthsOfDisks(SceneDefinition& scene)
-{
-  Values values = {&scene.pour.drop_height, &scene.pour.stretch.from, &scene.pour.stretch.to,
-                   &scene.feed.stretch.from, &scene.feed.stretch.to};
-  for (SpeciesDefinition& species : scene.species)
-  {
-    values.push_back(&species.radius);
-    for (double& radius : species.size.radii)
-      values.push_back(&radius);
-  }
-  for (InitialDisk& disk : scene.initial)
-    values.insert(values.end(), {&disk.x, &disk.y});
-  return values;
-}
-
-Values masses(SceneDefinition& scene)
-{
-  Values values;
-  for (SpeciesDefinition& species : scene.species)
-    values.push_back(&species.mass);
-  return values;
-}
-
-Values speeds(SceneDefinition& scene)
-{
-  Values values = {&scene.gravity, &scene.contact.min_rebound_speed, &scene.contact.restitution_speed,
-                   &scene.pour.speed, &scene.accuracy.mean_vx};
-  for (InitialDisk& disk : scene.initial)
-    values.insert(values.end(), {&disk.vx, &disk.vy});
-  return values;
-}
-
 /// One mistake with units in many keys.
 struct UnitSlip
 {
   const char* text;
-  std::vector<Values (*)(SceneDefinition&)> values;  ///< all a thousand times too large
-  bool counts = false;                               ///< as well, which follow from a density
+  std::set<std::string> units;  ///< of the keys whose numbers are a thousand times too large
+  bool of_base = false;         ///< in the base's keys alone
+  bool counts = false;          ///< as well, which follow from a density
 };
 
 const std::vector<UnitSlip>& unitSlips()
 {
   static const std::vector<UnitSlip> ALL = {
-      {"lengths in mm", {lengthsOfBase, lengthsOfDisks}},
-      {"lengths in mm and masses in g", {lengthsOfBase, lengthsOfDisks, masses}},
-      {"lengths in mm, speeds in mm/s and gravity in mm/s^2", {lengthsOfBase, lengthsOfDisks, speeds}},
-      {"lengths in mm, speeds in mm/s, gravity in mm/s^2 and masses in g",
-       {lengthsOfBase, lengthsOfDisks, speeds, masses}},
-      {"lengths of the base in mm", {lengthsOfBase}},
-      {"lengths of the base in mm", {lengthsOfBase}, true},
+      {"lengths in mm", {"m"}},
+      {"lengths in mm and masses in g", {"m", "kg"}},
+      {"lengths in mm, speeds in mm/s and gravity in mm/s^2", {"m", "m/s", "m/s^2"}},
+      {"lengths in mm, speeds in mm/s, gravity in mm/s^2 and masses in g", {"m", "m/s", "m/s^2", "kg"}},
+      {"lengths of the base in mm", {"m"}, true},
+      {"lengths of the base in mm", {"m"}, true, true},
   };
   return ALL;
 }
@@ -139,12 +89,14 @@ const std::vector<UnitSlip>& unitSlips()
 SceneDefinition mendedOf(const UnitSlip& slip, const SceneDefinition& scene)
 {
   SceneDefinition mended = scene;
-  for (const auto values : slip.values)
-    for (double* value : values(mended))
-      *value *= MILLI;
-  if (slip.counts)
-    for (SpeciesDefinition& species : mended.species)
-      species.count = static_cast<int>(std::round(species.count * MILLI));
+  forEachNumber(mended,
+                [&slip](const std::string& part, const char* unit, double& number)
+                {
+                  if (slip.units.count(unit) > 0 && (part == "base" || !slip.of_base))
+                    number *= MILLI;
+                });
+  for (SpeciesDefinition& species : mended.species)
+    species.count = slip.counts ? static_cast<int>(std::round(species.count * MILLI)) : species.count;
   return mended;
 }
 

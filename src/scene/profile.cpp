@@ -9,9 +9,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Most corners of a profile.
-constexpr std::size_t MOST_CORNERS = 10000;
-
 OutlineCorner readCorner(const Entry& entry, const Range& range)
 {
   const std::vector<Entry> numbers = entry.list();
@@ -66,7 +63,8 @@ void readScalar(const Entry& entry, const Range& range, std::vector<OutlineCorne
 {
   const std::vector<Entry> entries = entry.list();
   if (entries.size() < 2 || entries.size() > MOST_CORNERS)
-    entry.refuseValue("must be a list of " + legalValues(range, value).values + ' ' + range.unit);
+    entry.refuseValue("must be a list of " + legalValues<std::vector<OutlineCorner>>(range).values + ' ' +
+                      range.unit);
   std::vector<OutlineCorner> corners;
   for (const Entry& corner : entries)
   {
@@ -80,17 +78,9 @@ void readScalar(const Entry& entry, const Range& range, std::vector<OutlineCorne
   value = corners;
 }
 
-LegalValues legalValues(const Range& range, const std::vector<OutlineCorner>&)
+std::string scalarText(const OutlineCorner& value)
 {
-  return {"list", "2 to " + std::to_string(MOST_CORNERS) + " corners [s, n], each number " + range.values()};
-}
-
-std::string scalarText(const std::vector<OutlineCorner>& value)
-{
-  std::string text;
-  for (const OutlineCorner& corner : value)
-    text += (text.empty() ? "[" : ", [") + scalarText(corner.s) + ", " + scalarText(corner.n) + ']';
-  return '[' + text + ']';
+  return '[' + scalarText(value.s) + ", " + scalarText(value.n) + ']';
 }
 
 }  // namespace ratchet_sieve

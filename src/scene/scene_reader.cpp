@@ -16,14 +16,29 @@ namespace
 
 using SpeciesIndex = std::map<std::string, std::size_t>;
 
-template <typename Part>
-void readSection(const Entry& root, const std::string& name, const Keys<Part>& keys, Part& part)
+/// Reads a map, if there is one. @param others keys that are in none of the tables @return whether there is
+/// one
+template <typename Part, typename... Tables>
+bool readSection(const Entry& root, const std::string& name, Part& part, const std::set<std::string>& others,
+                 const Tables&... tables)
 {
   if (!root.has(name))
-    return;
+    return false;
   const Entry section = root.at(name);
-  section.requireKeys(namesOf(keys), requiredOf(keys));
-  readValues(section, keys, part);
+  std::set<std::string> known = others;
+  ((known = namesOf(tables, known)), ...);
+  section.requireKeys(known, {});
+  (readValues(section, tables, part), ...);
+  return true;
+}
+
+/// The entries of a list. @param noun of more than one entry
+std::vector<Entry> entriesOf(const Entry& list, std::size_t most, const std::string& noun)
+{
+  std::vector<Entry> entries = list.list();
+  if (entries.size() > most)
+    list.refuse("must have at most " + std::to_string(most) + ' ' + noun);
+  return entries;
 }
 
 SizeDefinition readSize(const Entry& entry)
@@ -76,10 +91,7 @@ SpeciesDefinition readSpecies(const Entry& entry, bool count_required)
 SpeciesIndex readAllSpecies(const Entry& root, bool count_required, SceneDefinition& scene)
 {
   SpeciesIndex index;
-  const std::vector<Entry> entries = root.at("species").list();
-  if (entries.size() > MOST_SPECIES)
-    root.at("species").refuse("must have at most " + std::to_string(MOST_SPECIES) + " species");
-  for (const Entry& entry : entries)
+  for (const Entry& entry : entriesOf(root.at("species"), MOST_SPECIES, "species"))
   {
     scene.species.push_back(readSpecies(entry, count_required));
     if (!index.emplace(scene.species.back().name, index.size()).second)
@@ -157,34 +169,19 @@ bool placesDisks(const Entry& root)
 
 void readBase(const Entry& root, BaseDefinition& base)
 {
-  if (!root.has("base"))
+  if (!readSection(root, "base", base, {"harmonics"}, BASE_KEYS))
     return;
   const Entry section = root.at("base");
-  section.requireKeys(namesOf(BASE_KEYS, {"harmonics"}), {});
-  readValues(section, BASE_KEYS, base);
   for (const std::string& name : SAWTOOTH_KEYS)
     if (section.has("profile") && section.has(name))
       section.at(name).refuse("must be absent because base.profile gives the tooth");
   if (!section.has("harmonics"))
     return;
-  const std::vector<Entry> entries = section.at("harmonics").list();
-  if (entries.size() > MOST_HARMONICS)
-    section.at("harmonics").refuse("must have at most " + std::to_string(MOST_HARMONICS) + " harmonics");
-  for (const Entry& entry : entries)
+  for (const Entry& entry : entriesOf(section.at("harmonics"), MOST_HARMONICS, "harmonics"))
   {
     entry.requireKeys(namesOf(HARMONIC_KEYS), requiredOf(HARMONIC_KEYS));
     readValues(entry, HARMONIC_KEYS, base.harmonics.emplace_back());
   }
-}
-
-void readAccuracy(const Entry& root, AccuracyDefinition& accuracy)
-{
-  if (!root.has("accuracy"))
-    return;
-  const Entry section = root.at("accuracy");
-  section.requireKeys(namesOf(METHOD_KEYS, namesOf(CERTAINTY_KEYS)), {});
-  readValues(section, METHOD_KEYS, accuracy);
-  readValues(section, CERTAINTY_KEYS, accuracy);
 }
 
 FedDisk readFedDisk(const Entry& entry, const SpeciesIndex& index)
@@ -225,17 +222,15 @@ void readFeedList(const Entry& root, const SpeciesIndex& index, Scene& scene)
 
 void readFeed(const Entry& root, FeedDefinition& feed)
 {
-  if (!root.has("feed"))
+  if (!readSection(root, "feed", feed, namesOf(FEED_FILE_KEYS, {"disks"}), FEED_KEYS))
     return;
   const Entry section = root.at("feed");
-  section.requireKeys(namesOf(FEED_KEYS, namesOf(FEED_FILE_KEYS, {"disks"})), {});
   FeedFile file;
   readValues(section, FEED_FILE_KEYS, file);
   if (section.has("file") && section.has("disks"))
     section.at("disks").refuse("must be absent because feed.file gives the disks");
   if (section.has("side") && !section.has("file"))
     section.at("side").refuse("needs feed.file");
-  readValues(section, FEED_KEYS, feed);
 }
 
 void readRoot(const Entry& root, SceneDefinition& scene)
@@ -246,11 +241,11 @@ void readRoot(const Entry& root, SceneDefinition& scene)
   readValues(root, MOTION_KEYS, scene);
   readValues(root, RUN_KEYS, scene);
   readBase(root, scene.base);
-  readSection(root, "contact", CONTACT_KEYS, scene.contact);
-  readSection(root, "pour", POUR_KEYS, scene.pour);
+  readSection(root, "contact", scene.contact, {}, CONTACT_KEYS);
+  readSection(root, "pour", scene.pour, {}, POUR_KEYS);
   readFeed(root, scene.feed);
-  readSection(root, "height_profile", HEIGHT_PROFILE_KEYS, scene.height_profile);
-  readAccuracy(root, scene.accuracy);
+  readSection(root, "height_profile", scene.height_profile, {}, HEIGHT_PROFILE_KEYS);
+  readSection(root, "accuracy", scene.accuracy, {}, METHOD_KEYS, CERTAINTY_KEYS);
 }
 
 }  // namespace

@@ -336,4 +336,44 @@ const Keys<AccuracyDefinition> CERTAINTY_KEYS = {
      "Confidence level of these intervals.", Presence::ADDED},
 };
 
+void forEachNumber(SceneDefinition& scene, const VisitNumber& visit)
+{
+  const auto visit_part = [&visit](const char* name, const auto& keys, auto& part)
+  {
+    for (const auto& key : keys)
+    {
+      const Slot slot = key.slot(part);
+      if (double* const* number = std::get_if<double*>(&slot))
+        visit(name, key.range.unit, **number);
+      if (std::vector<double>* const* numbers = std::get_if<std::vector<double>*>(&slot))
+        for (double& number : **numbers)
+          visit(name, key.range.unit, number);
+      if (std::vector<OutlineCorner>* const* corners = std::get_if<std::vector<OutlineCorner>*>(&slot))
+        for (OutlineCorner& corner : **corners)
+          for (double* number : {&corner.s, &corner.n})
+            visit(name, key.range.unit, *number);
+    }
+  };
+  visit_part("", MOTION_KEYS, scene);
+  visit_part("", RUN_KEYS, scene);
+  visit_part("base", BASE_KEYS, scene.base);
+  for (HarmonicDefinition& harmonic : scene.base.harmonics)
+    visit_part("base", HARMONIC_KEYS, harmonic);
+  for (SpeciesDefinition& species : scene.species)
+  {
+    visit_part("species", SPECIES_KEYS, species);
+    visit_part("species", TABLE_KEYS, species.size);
+  }
+  visit_part("contact", CONTACT_KEYS, scene.contact);
+  visit_part("pour", POUR_KEYS, scene.pour);
+  visit_part("feed", FEED_KEYS, scene.feed);
+  for (FedDisk& disk : scene.feed.disks)
+    visit_part("feed", FED_KEYS, disk);
+  for (InitialDisk& disk : scene.initial)
+    visit_part("initial", INITIAL_KEYS, disk);
+  visit_part("height_profile", HEIGHT_PROFILE_KEYS, scene.height_profile);
+  visit_part("accuracy", METHOD_KEYS, scene.accuracy);
+  visit_part("accuracy", CERTAINTY_KEYS, scene.accuracy);
+}
+
 }  // namespace ratchet_sieve

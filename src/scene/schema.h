@@ -13,7 +13,7 @@
 #include "ratchet_sieve/scene/scene_file.h"
 
 /// Every key of a scene that holds one value, in tables: one row serves reading, checking, writing, hashing,
-/// suggestions and `sieve_run --keys`.
+/// suggestions, the search for wrong units and `sieve_run --keys`.
 namespace ratchet_sieve
 {
 
@@ -133,6 +133,12 @@ void writeValues(const Keys<Part>& keys, Part part, Write&& write)
     if (key.presence != Presence::ADDED || valueText(key, part) != valueText(key, plain))
       write(key.name, valueText(key, part));
 }
+
+/// @param part of the scene, such as base; empty at the root @param unit of the number's key
+using VisitNumber = std::function<void(const std::string& part, const char* unit, double& number)>;
+
+/// Visits each number that is not an integer, to read it or to change it; of lists each number.
+void forEachNumber(SceneDefinition& scene, const VisitNumber& visit);
 
 /// Visits each row of feed.file, those of feed.side alone if it is given. A row is a map whose errors name
 /// file and line.

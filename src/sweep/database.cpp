@@ -112,7 +112,6 @@ void Database::openUnchanging()
 
 Database::~Database()
 {
-  prepared_.clear();
   sqlite3_close(connection_);
 }
 
@@ -132,24 +131,16 @@ void Database::execute(const std::string& sql)
 
 void Database::execute(const std::string& sql, const SqlValues& values)
 {
-  prepared(sql).run(values);
+  Statement statement(*this, sql, values);
+  while (statement.step())
+  {
+  }
 }
 
 Json Database::value(const std::string& sql, const SqlValues& values) const
 {
-  Statement& statement = prepared(sql);
-  statement.restart(values);
-  Json value = statement.step() ? statement.value(0) : Json(nullptr);
-  statement.restart();
-  return value;
-}
-
-Statement& Database::prepared(const std::string& sql) const
-{
-  std::unique_ptr<Statement>& statement = prepared_[sql];
-  if (statement == nullptr)
-    statement = std::make_unique<Statement>(*this, sql);
-  return *statement;
+  Statement statement(*this, sql, values);
+  return statement.step() ? statement.value(0) : Json(nullptr);
 }
 
 void Database::fail() const
@@ -181,7 +172,8 @@ Statement::Statement(const Database& database, const std::string& sql, const Sql
 {
   if (sqlite3_prepare_v2(database.handle(), sql.c_str(), -1, &statement_, nullptr) != SQLITE_OK)
     database.fail();
-  restart(values);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    bind(statement_, static_cast<int>(k) + 1, values[k]);
 }
 
 Statement::~Statement()
@@ -189,37 +181,12 @@ Statement::~Statement()
   sqlite3_finalize(statement_);
 }
 
-void Statement::restart(const SqlValues& values)
-{
-  sqlite3_reset(statement_);
-  sqlite3_clear_bindings(statement_);
-  for (std::size_t k = 0; k < values.size(); ++k)
-    bind(statement_, static_cast<int>(k) + 1, values[k]);
-}
-
-void Statement::run(const SqlValues& values)
-{
-  restart(values);
-  while (step())
-  {
-  }
-  sqlite3_reset(statement_);
-}
-
 bool Statement::step()
 {
   const int result = sqlite3_step(statement_);
-  if (result == SQLITE_ROW || result == SQLITE_DONE)
-    return result == SQLITE_ROW;
-  try
-  {
+  if (result != SQLITE_ROW && result != SQLITE_DONE)
     database_.fail();
-  }
-  catch (const DatabaseError&)
-  {
-    sqlite3_reset(statement_);
-    throw;
-  }
+  return result == SQLITE_ROW;
 }
 
 int Statement::columns() const

@@ -94,17 +94,12 @@ std::vector<std::string> ResultStore::columnNames() const
   return names;
 }
 
-/// Read again where the schema is another one: after a rollback, or by another process.
-const std::set<std::string>& ResultStore::columns() const
+std::set<std::string> ResultStore::columns() const
 {
-  Json schema_version = database_.value("PRAGMA schema_version");
-  if (schema_version == schema_version_)
-    return columns_;
-  columns_.clear();
+  std::set<std::string> names;
   for (const std::string& name : columnNames())
-    columns_.insert(lowerCase(name));
-  schema_version_ = std::move(schema_version);
-  return columns_;
+    names.insert(lowerCase(name));
+  return names;
 }
 
 bool ResultStore::hasColumn(const std::string& name) const
@@ -114,26 +109,27 @@ bool ResultStore::hasColumn(const std::string& name) const
 
 void ResultStore::addColumns(const std::vector<std::string>& names)
 {
-  const std::set<std::string>& known = columns();
+  std::set<std::string> known = columns();
   for (const std::string& name : names)
-  {
-    if (known.count(lowerCase(name)) > 0)
-      continue;
-    database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
-    columns();
-  }
+    if (known.insert(lowerCase(name)).second)
+      database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
 }
 
-void ResultStore::insert(const std::vector<std::string>& columns, const SqlValues& values)
+void ResultStore::insert(const SummaryColumns& row)
 {
-  std::string names;
+  std::vector<std::string> names;
+  SqlValues values;
+  std::string columns;
   std::string marks;
-  for (const std::string& column : columns)
+  for (const auto& [name, value] : row)
   {
-    names += (names.empty() ? "" : ", ") + quotedName(column);
-    marks += marks.empty() ? "?" : ", ?";
+    columns += (names.empty() ? "" : ", ") + quotedName(name);
+    marks += names.empty() ? "?" : ", ?";
+    names.push_back(name);
+    values.push_back(value);
   }
-  database_.execute("INSERT OR IGNORE INTO cases (" + names + ") VALUES (" + marks + ")", values);
+  addColumns(names);
+  database_.execute("INSERT OR IGNORE INTO cases (" + columns + ") VALUES (" + marks + ")", values);
 }
 
 std::optional<std::string> ResultStore::statusOf(const std::string& run_hash) const
@@ -150,7 +146,7 @@ void ResultStore::addScalars(const Json& summary, SummaryColumns& row) const
   std::set<std::string> taken;
   for (const auto& [name, value] : row)
     taken.insert(lowerCase(name));
-  const std::set<std::string>& known = columns();
+  const std::set<std::string> known = columns();
   std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, known.size());
   for (auto& scalar : summaryColumns(summary))
   {
@@ -181,21 +177,11 @@ void ResultStore::record(const CaseResult& result)
   for (const auto& [key, value] : result.values)
     row.emplace_back(key, sqlValue(value));
   addScalars(result.summary, row);
-  std::vector<std::string> names;
-  SqlValues values;
-  for (auto& [name, value] : row)
-  {
-    names.push_back(name);
-    values.push_back(std::move(value));
-  }
-  addColumns(names);
-  insert(names, values);
+  insert(row);
 }
 
 void ResultStore::copyFrom(const ResultStore& other)
 {
-  const std::vector<std::string> columns = other.columnNames();
-  addColumns(columns);
   Statement rows(other.database(), "SELECT run_hash, status, * FROM cases WHERE physics = ?",
                  {PHYSICS_VERSION});
   while (rows.step())
@@ -203,10 +189,10 @@ void ResultStore::copyFrom(const ResultStore& other)
     if (rows.text(1) == "done")
       database_.execute("DELETE FROM cases WHERE run_hash = ? AND physics = ? AND status = 'failed'",
                         {rows.text(0), PHYSICS_VERSION});
-    SqlValues values;
+    SummaryColumns row;
     for (int column = 2; column < rows.columns(); ++column)
-      values.push_back(rows.value(column));
-    insert(columns, values);
+      row.emplace_back(rows.columnName(column), rows.value(column));
+    insert(row);
   }
 }
 

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <exception>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -29,8 +28,8 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Interval at which the main thread checks whether to stop, and a thread without a case whether there is
-/// one.
+/// Interval at which the main thread checks whether to stop and shows the progress, and a thread without a
+/// case looks for one.
 constexpr auto POLL_PERIOD = std::chrono::milliseconds(100);
 
 std::size_t threadCount(std::size_t wanted)
@@ -62,8 +61,7 @@ public:
   ~SweepRun()
   {
     stop_ = true;
-    for (std::thread& thread : threads_)
-      thread.join();
+    threads_.clear();  // waits for their ends
     try
     {
       ledger_.forgetUnfinished();  // they were stopped, also where an error ends the run
@@ -81,16 +79,23 @@ public:
   std::size_t run(std::size_t wanted)
   {
     warn(ledger_.deaths());
-    start(wanted);
-    const std::size_t threads = std::max<std::size_t>(threads_.size(), 1);
-    if (threads < wanted)
-      warn(fewerThreadsText(threads, wanted));
+    try
+    {
+      while (threads_.size() < wanted)
+        threads_.push_back(std::async(std::launch::async, [this] { serve(); }));
+    }
+    catch (const std::system_error&)
+    {
+      warn(fewerThreadsText(std::max<std::size_t>(threads_.size(), 1), wanted));
+    }
     if (threads_.empty())
-      serve();
-    watch(threads);
-    if (error_)
-      fail();
-    return threads;
+      threads_.push_back(std::async(std::launch::deferred, [this] { serve(); }));
+    for (const std::future<void>& thread : threads_)
+      while (thread.wait_for(POLL_PERIOD) == std::future_status::timeout)
+        look();
+    look();
+    requireSuccess();
+    return threads_.size();
   }
 
   /// Once it is so, it stays.
@@ -102,11 +107,25 @@ public:
   }
 
 private:
-  [[noreturn]] void fail() const
+  /// Whether to stop is asked here as well: it may be that this thread alone can tell.
+  void look()
+  {
+    stopWanted();
+    if (!options_.progress)
+      return;
+    std::unique_lock<std::mutex> lock(mutex_);
+    const SweepProgress progress = ledger_.progress();
+    lock.unlock();
+    options_.progress(progress);
+  }
+
+  /// @throws the error that has ended a thread
+  void requireSuccess()
   {
     try
     {
-      std::rethrow_exception(error_);
+      for (std::future<void>& thread : threads_)
+        thread.get();
     }
     catch (const DatabaseFull& error)
     {
@@ -116,42 +135,10 @@ private:
     }
   }
 
-  void start(std::size_t threads)
-  {
-    try
-    {
-      while (threads_.size() < threads)
-        threads_.emplace_back([this] { serve(); });
-    }
-    catch (const std::system_error&)
-    {
-      // The system provides no more.
-    }
-  }
-
-  /// Until all threads have ended.
-  void watch(std::size_t threads)
-  {
-    for (bool ended = false; !ended;)
-    {
-      stopWanted();
-      std::unique_lock<std::mutex> lock(mutex_);
-      if (ended_ < threads)
-        news_.wait_for(lock, POLL_PERIOD);
-      ended = ended_ == threads;
-      if (!options_.progress)
-        continue;
-      const SweepProgress progress = ledger_.progress();
-      lock.unlock();
-      options_.progress(progress);
-    }
-  }
-
   /// The work of a thread.
   void serve()
   {
     std::optional<CaseResult> result;
-    std::exception_ptr error;
     try
     {
       CaseBuilder builder(sweep_);
@@ -160,17 +147,10 @@ private:
     }
     catch (...)
     {
-      error = std::current_exception();
-    }
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (error)
-    {
       stop_ = true;
-      error_ = error_ ? error_ : error;
       unsaved_ += result ? 1 : 0;
+      throw;
     }
-    ++ended_;
-    news_.notify_one();
   }
 
   /// Stores a result, if there is one, which is taken. @return the next case; nothing if there is none, or to
@@ -188,7 +168,6 @@ private:
           std::error_code ignored;
           fs::remove(checkpointPath(results_.database().path(), result->run_hash), ignored);
           result.reset();
-          news_.notify_one();
         }
         if (next || stopping || !ledger_.waits())
           return next;
@@ -219,13 +198,10 @@ private:
   const SweepRunOptions& options_;
   SweepResults& results_;
   std::atomic<bool> stop_{false};
-  std::mutex mutex_;  ///< of all below
+  std::atomic<std::size_t> unsaved_{0};  ///< results lost by an error
+  std::mutex mutex_;                     ///< of the ledger and the results
   SweepLedger ledger_;
-  std::condition_variable news_;
-  std::size_t ended_ = 0;  ///< threads
-  std::exception_ptr error_;
-  std::size_t unsaved_ = 0;  ///< results lost by an error
-  std::vector<std::thread> threads_;
+  std::vector<std::future<void>> threads_;
 };
 
 /// @throws DatabaseError for a result that is not of the sweep's cases @param planned their run_hash

@@ -9,7 +9,7 @@ from pathlib import Path
 # External libraries that a layer may use, by the first folder or name of the include, or the header; None: any.
 LIBRARIES = {
     'core': {'Eigen'},
-    'scene': {'Eigen', 'yaml-cpp'},
+    'scene': {'Eigen', 'yaml-cpp', 'fmt'},
     'recording': {'Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'boost'},
     'sweep': {'Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'sqlite3'},
     'analysis': {'Eigen', 'yaml-cpp', 'nlohmann', 'fmt'},

@@ -82,35 +82,6 @@ TEST_F(ResultStoreTest, GrowsColumnsWithWhatComes)
             "xit stalls11");
 }
 
-TEST_F(ResultStoreTest, ToleratesColumnsOfAnotherProcess)
-{
-  ResultStore other(path_, Database::Access::WRITE);
-  CaseResult first = resultOf("1");
-  first.values = {{"a", "4"}};
-  record(first);
-  {
-    Transaction transaction(other.database());
-    CaseResult result = resultOf("2");
-    result.values = {{"a", "5"}};
-    other.record(result);
-    transaction.commit();
-  }
-  EXPECT_EQ(text("SELECT a FROM cases WHERE run_hash = '2'"), "5");
-}
-
-TEST_F(ResultStoreTest, UndoesColumnsWithTheTransaction)
-{
-  CaseResult result = resultOf("1");
-  result.values = {{"a", "5"}};
-  {
-    const Transaction transaction(store_.database());
-    store_.record(result);
-  }
-  EXPECT_FALSE(store_.hasColumn("a"));
-  record(result);
-  EXPECT_EQ(text("SELECT SUM(a) || COUNT(*) FROM cases"), "51");
-}
-
 TEST_F(ResultStoreTest, KeepsARowWhoseSummaryHasMoreThanATableHolds)
 {
   CaseResult result = resultOf("1");

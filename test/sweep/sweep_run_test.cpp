@@ -369,10 +369,12 @@ TEST_F(SweepRunTest, IsAnErrorWhereTheResultsFileIsRemovedMeanwhile)
 {
   const Sweep sweep = load("seed: {first: 1, count: 20}\n");
   SweepRunOptions removing;
-  removing.progress = [this](const SweepProgress& progress)
+  removing.threads = 1;
+  removing.stop_wanted = [this, looks = 0]() mutable
   {
-    if (progress.finished_here > 0)
+    if (++looks == 10)
       std::filesystem::remove(results_);
+    return false;
   };
   EXPECT_THROW(runSweep(sweep, results_, removing), DatabaseError);
   EXPECT_EQ(runSweep(sweep, results_, {}).counts.done, 20u);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/scene/entry.h"
 
 /// Reads values strictly: text is not a number, a number is not a truth value, and an integer has no
@@ -33,6 +34,12 @@ struct Range
   /// Such as "from 0 to 1000 m", or "that is finite".
   std::string text() const;
 };
+
+/// Longest name of a species [characters].
+constexpr std::size_t LONGEST_NAME = 64;
+
+/// Most corners of a profile.
+constexpr std::size_t MOST_CORNERS = 10000;
 
 struct FilePath
 {
@@ -61,32 +68,13 @@ void readScalar(const Entry& entry, const Range& range, std::vector<OutlineCorne
 /// Names of observables, each once.
 void readScalar(const Entry& entry, const Range& range, std::vector<std::string>& value);
 
-/// What a reader above accepts.
-struct LegalValues
-{
-  const char* type;    ///< number, integer, boolean, name, path, choice or list
-  std::string values;  ///< such as "0 to 1000" or "stop or rebound"
-};
-
-/// The argument is given for its type alone.
-LegalValues legalValues(const Range& range, double);
-LegalValues legalValues(const Range& range, int);
-LegalValues legalValues(const Range& range, std::uint64_t);
-LegalValues legalValues(const Range& range, bool);
-LegalValues legalValues(const Range& range, const std::string&);
-LegalValues legalValues(const Range& range, const FilePath&);
-LegalValues legalValues(const Range& range, const std::vector<std::string>&);
-LegalValues legalValues(const Range& range, const std::vector<double>&);
-LegalValues legalValues(const Range& range, const std::vector<OutlineCorner>&);
-
 /// The text that the readers above take back to the same value, bit for bit.
 std::string scalarText(double value);
 std::string scalarText(bool value);
 std::string scalarText(const std::string& value);
 std::string scalarText(const FilePath& value);
-std::string scalarText(const std::vector<std::string>& value);
-std::string scalarText(const std::vector<double>& values);
-std::string scalarText(const std::vector<OutlineCorner>& value);
+std::string scalarText(const OutlineCorner& value);
+std::string scalarText(const std::vector<std::string>& words);  ///< without quotes
 
 /// The names of a choice's values in a scene, in the order of the enumeration.
 template <typename Choice>
@@ -124,16 +112,48 @@ std::string scalarText(Choice value)
   return CHOICE_NAMES<Choice>[static_cast<std::size_t>(value)];
 }
 
-template <typename Choice, typename = IfChoice<Choice>>
-LegalValues legalValues(const Range&, Choice)
+template <typename Element>
+std::string scalarText(const std::vector<Element>& values)
 {
-  std::string names;
-  for (std::size_t i = 0; i < CHOICE_NAMES<Choice>.size(); ++i)
-    names += (i == 0                                ? ""
-              : i + 1 < CHOICE_NAMES<Choice>.size() ? ", "
-                                                    : " or ") +
-             std::string(CHOICE_NAMES<Choice>[i]);
-  return {"choice", names};
+  std::vector<std::string> texts;
+  for (const Element& value : values)
+    texts.push_back(scalarText(value));
+  return scalarText(texts);
+}
+
+/// The words, separated by commas, but the last two by `last`.
+std::string listText(const std::vector<std::string>& words, const char* last = ", ");
+
+/// What the reader of a type accepts.
+struct LegalValues
+{
+  const char* type;    ///< number, integer, boolean, name, path, choice or list
+  std::string values;  ///< such as "0 to 1000" or "stop or rebound"
+};
+
+template <typename T>
+LegalValues legalValues(const Range& range)
+{
+  if constexpr (std::is_enum_v<T>)
+    return {"choice", listText({CHOICE_NAMES<T>.begin(), CHOICE_NAMES<T>.end()}, " or ")};
+  else if constexpr (std::is_same_v<T, bool>)
+    return {"boolean", "true or false"};
+  else if constexpr (std::is_same_v<T, std::uint64_t>)
+    return {"integer", "0 to " + std::to_string(std::numeric_limits<T>::max())};
+  else if constexpr (std::is_same_v<T, std::string>)
+    return {"name", "1 to " + std::to_string(LONGEST_NAME) + " letters, digits, '_', '-' or '.'"};
+  else if constexpr (std::is_same_v<T, FilePath>)
+    return {"path", "path of a file"};
+  else if constexpr (std::is_same_v<T, std::vector<std::string>>)
+    return {"list", listText(observableNames())};
+  else if constexpr (std::is_same_v<T, std::vector<OutlineCorner>>)
+    return {"list",
+            "2 to " + std::to_string(MOST_CORNERS) + " corners [s, n], each number " + range.values()};
+  else
+    return {std::is_same_v<T, int>      ? "integer"
+            : std::is_same_v<T, double> ? "number"
+                                        : "list",
+            range.values()};
 }
 
 template <typename Choice, typename = IfChoice<Choice>>
@@ -145,7 +165,7 @@ void readScalar(const Entry& entry, const Range& range, Choice& value)
       value = static_cast<Choice>(i);
       return;
     }
-  entry.refuseValue("must be " + legalValues(range, value).values);
+  entry.refuseValue("must be " + legalValues<Choice>(range).values);
 }
 
 }  // namespace ratchet_sieve

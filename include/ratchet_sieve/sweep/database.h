@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,8 +31,6 @@ constexpr const char* IN_MEMORY = ":memory:";
 /// Values for SQL: null, numbers, texts, and booleans as 0 and 1. An integer of 2^63 or more becomes a text.
 using SqlValues = std::vector<nlohmann::ordered_json>;
 
-class Statement;
-
 /// A connection to an SQLite file. For one thread.
 class Database
 {
@@ -55,7 +51,7 @@ public:
   /// Runs SQL, and ignores the rows. @throws DatabaseError
   void execute(const std::string& sql);
 
-  /// Runs a statement, which is prepared once for all its values. @throws DatabaseError
+  /// Runs a statement with values of ?1, ?2, ... @throws DatabaseError
   void execute(const std::string& sql, const SqlValues& values);
 
   /// The first value of the first row of such a statement, null if there is none. @throws DatabaseError
@@ -71,11 +67,9 @@ private:
   void open(const std::string& name, int flags);
   bool needsWritableDirectory() const;
   void openUnchanging();
-  Statement& prepared(const std::string& sql) const;
 
   std::string path_;
   sqlite3* connection_ = nullptr;
-  mutable std::map<std::string, std::unique_ptr<Statement>> prepared_;  ///< by their SQL
 };
 
 /// `"name"`: a quoted SQL identifier, for any text.
@@ -93,12 +87,6 @@ public:
   ~Statement();
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
-
-  /// Goes back before the first row, with other values.
-  void restart(const SqlValues& values = {});
-
-  /// Runs the statement with these values, and ignores further rows. @throws DatabaseError
-  void run(const SqlValues& values = {});
 
   /// Advances to the next row. @return whether there is one @throws DatabaseError
   bool step();

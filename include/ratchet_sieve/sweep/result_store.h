@@ -42,13 +42,11 @@ public:
 
 private:
   void makeTables();
-  const std::set<std::string>& columns() const;  ///< of the table, in lower case
+  std::set<std::string> columns() const;  ///< of the table, in lower case
   void addScalars(const nlohmann::ordered_json& summary, SummaryColumns& row) const;
-  void insert(const std::vector<std::string>& columns, const SqlValues& values);
+  void insert(const SummaryColumns& row);
 
   Database database_;
-  mutable std::set<std::string> columns_;
-  mutable nlohmann::ordered_json schema_version_;  ///< of the columns
 };
 
 /// YAML text as an integer, a number or text, according to its form; nothing as null.
