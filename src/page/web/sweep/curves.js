@@ -3,6 +3,15 @@ const CURVES_HEIGHT = 320;
 const LABEL_HEIGHT = 14;   // of the curves' ends [px]
 const POINT = 3;           // radius [px]
 
+/** The outline of a star. */
+function starPath(ctx, x, y, radius) {
+  for (let k = 0; k < 10; ++k) {
+    const [angle, length] = [Math.PI * (k / 5 - 0.5), k % 2 ? 0.45 * radius : radius];
+    ctx.lineTo(x + length * Math.cos(angle), y + length * Math.sin(angle));
+  }
+  ctx.closePath();
+}
+
 /** The means of a field over x, with a curve for each value of y. */
 class SweepCurves {
   /** @param {function(Object)} onChoose takes a place */
