@@ -3,15 +3,6 @@ const CURVES_HEIGHT = 320;
 const LABEL_HEIGHT = 14;   // of the curves' ends [px]
 const POINT = 3;           // radius [px]
 
-/** The outline of a star. */
-function starPath(ctx, x, y, radius) {
-  for (let k = 0; k < 10; ++k) {
-    const [angle, length] = [Math.PI * (k / 5 - 0.5), k % 2 ? 0.45 * radius : radius];
-    ctx.lineTo(x + length * Math.cos(angle), y + length * Math.sin(angle));
-  }
-  ctx.closePath();
-}
-
 /** The means of a field over x, with a curve for each value of y. */
 class SweepCurves {
   /** @param {function(Object)} onChoose takes a place */
@@ -141,12 +132,19 @@ class SweepCurves {
   /** Hollow where Q is not comparable, a star where it is best. */
   drawPoint(ctx, left, top, place, colour, pixels) {
     const isBest = this.report.fields[this.field].name === 'quality' && this.report.isBest(place);
-    ctx.beginPath();
-    if (isBest) starPath(ctx, left, top, 8 * pixels);
-    else ctx.arc(left, top, (place === this.chosen ? 2 : 1) * POINT * pixels, 0, 2 * Math.PI);
     ctx.fillStyle = this.report.isDoubtful(place, this.field) ? themeColour('--ground') : colour;
+    if (isBest) return this.drawText(ctx, '\u2605\ufe0e', left, top, 22 * pixels, 'center');
+    ctx.beginPath();
+    ctx.arc(left, top, (place === this.chosen ? 2 : 1) * POINT * pixels, 0, 2 * Math.PI);
     ctx.fill();
-    ctx.stroke();
+    return ctx.stroke();
+  }
+
+  drawText(ctx, text, left, top, size, align) {
+    ctx.font = `${size}px system-ui, sans-serif`;
+    ctx.textAlign = align;
+    ctx.textBaseline = 'middle';
+    ctx.fillText(text, left, top);
   }
 
   /** The names of the curves at their ends, moved apart where two would touch. */
@@ -159,14 +157,11 @@ class SweepCurves {
         ends[k].top -= 0.5 * overlap;
         ends[k + 1].top += 0.5 * overlap;
       }
-    ctx.font = `${12 * pixels}px system-ui, sans-serif`;
-    ctx.textAlign = 'left';
-    ctx.textBaseline = 'middle';
     for (const {top, text, colour} of ends) {
       ctx.fillStyle = colour;
       ctx.fillRect(left, top - 4 * pixels, 8 * pixels, 8 * pixels);
       ctx.fillStyle = themeColour('--text');
-      ctx.fillText(text, left + 12 * pixels, top);
+      this.drawText(ctx, text, left + 12 * pixels, top, 12 * pixels, 'left');
     }
   }
 }
