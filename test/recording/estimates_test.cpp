@@ -106,7 +106,7 @@ struct End
   std::size_t samples = 0;
 };
 
-/// The end of a series that is checked at the times of a run (LookTimes).
+/// The end of a series that is checked at the times of a run (lookFrom()).
 End endOf(const Shape& shape, std::uint64_t seed, double confidence, double wanted, const Rule& rule)
 {
   CorrelatedSeries series(shape, seed);
