@@ -85,19 +85,12 @@ class SweepCurves {
       (this.report.isDoubtful(place, this.field) ? ' (not comparable)' : '');
   }
 
-  /** The place nearest to a point of the chart. */
+  /** The place nearest to a point of the chart: of those below and above it. */
   choose(x, y) {
-    const [low, high] = this.yRange();
-    const span = Math.max(1e-300, this.positions[this.positions.length - 1] - this.positions[0]);
-    let nearest = null;
-    for (const place of this.report.places) {
-      const mean = place.means[this.field];
-      if (!mean || !this.shownRows.includes(place.y)) continue;
-      // What lies below or above the cursor is meant before what lies beside it.
-      const distance = Math.hypot(4 * (this.positions[place.x] - x) / span, (mean.value - y) / (high - low));
-      if (!nearest || distance < nearest.distance) nearest = {place, distance};
-    }
-    if (nearest) this.onChoose(nearest.place);
+    const nearest = (all, distance) => all.reduce((one, other) => distance(other) < distance(one) ? other : one);
+    const column = nearest([...this.positions.keys()], (k) => Math.abs(this.positions[k] - x));
+    const places = this.shownRows.map((row) => this.report.at(column, row)).filter((place) => place && place.means[this.field]);
+    if (places.length) this.onChoose(nearest(places, (place) => Math.abs(place.means[this.field].value - y)));
   }
 
   drawPoints(u) {
