@@ -102,7 +102,8 @@ void Journal::lookAtCertainty(const Simulation& simulation)
   if (!simulation.scene().accuracy.endsEarly() || said_.certainty ||
       (said_.next_certainty && simulation.time() < *said_.next_certainty))
     return;
-  const bool due = std::exchange(said_.next_certainty, LookTimes(simulation).next()).has_value();
+  const double next = lookFrom(simulation, simulation.time());
+  const bool due = std::exchange(said_.next_certainty, next).has_value();
   if (!due || !*certaintyOf(simulation).reached())
     return;
   said_.certainty = true;

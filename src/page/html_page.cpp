@@ -1,12 +1,13 @@
 #include "html_page.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
 
 #include <zlib.h>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/page/sweep_page.h"
@@ -55,19 +56,10 @@ std::size_t lengthOf(const PageTemplate& page)
 
 std::string base64(const std::string& bytes)
 {
-  static constexpr char LETTERS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t k = 0; k < bytes.size(); k += 3)
-  {
-    std::uint32_t bits = 0;
-    for (std::size_t i = k; i < k + 3; ++i)
-      bits = bits << 8 | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u);
-    const std::size_t letters = bytes.size() - k < 3 ? bytes.size() - k + 1 : 4;
-    for (std::size_t i = 0; i < 4; ++i)
-      text += i < letters ? LETTERS[(bits >> (18 - 6 * i)) & 0x3f] : '=';
-  }
-  return text;
+  using namespace boost::archive::iterators;
+  using Letters = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+  return std::string(Letters(bytes.begin()), Letters(bytes.end())) +
+         std::string((3 - bytes.size() % 3) % 3, '=');
 }
 
 std::string deflated(const std::string& bytes)

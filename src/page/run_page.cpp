@@ -1,7 +1,6 @@
 #include "ratchet_sieve/page/run_page.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,7 +14,6 @@
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/recording/summary.h"
-#include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
 {
@@ -161,57 +159,35 @@ std::size_t inBase64(std::size_t bytes)
 
 }  // namespace
 
-struct RunPage::Implementation
+void RunPage::begin(const SceneFrame& frame)
 {
-  explicit Implementation(std::size_t page_size) : size(page_size) {}
-
-  void begin(const SceneFrame& frame);
-
-  std::size_t size;
-  RunAnalysis analysis;
-  std::optional<Scene> scene;
-  std::optional<MotionRecord> motion;
-  std::vector<CommandFrame> commands;
-  std::size_t commands_taken = 0;
-};
-
-void RunPage::Implementation::begin(const SceneFrame& frame)
-{
-  motion.reset();  // before the scene, to which it refers
-  scene = sceneFromText(frame.yaml, "recorded scene");
-  motion.emplace(scene->definition, size);
-  commands.clear();
-  commands_taken = 0;
+  scene_ = sceneFromText(frame.yaml, "recorded scene");
+  motion_ = std::make_unique<MotionRecord>(scene_.definition, size_);
+  commands_.clear();
+  commands_taken_ = 0;
 }
 
-RunPage::RunPage(std::size_t size) : implementation_(std::make_unique<Implementation>(size)) {}
+RunPage::RunPage(std::size_t size) : size_(size) {}
 
 RunPage::~RunPage() = default;
 
 void RunPage::take(const AnyFrame& any)
 {
-  Implementation& page = *implementation_;
-  page.analysis.take(any);  // checks the frame
+  analysis_.take(any);  // checks the frame
   if (const auto* scene = any.as<SceneFrame>())
-    page.begin(*scene);
+    begin(*scene);
   else if (const auto* particles = any.as<ParticleFrame>())
-    page.motion->add(*particles);
+    motion_->add(*particles);
   else if (const auto* command = any.as<CommandFrame>())
-    if (page.commands_taken++ < MOST_COMMANDS)
-      page.commands.push_back(*command);
-}
-
-const RunAnalysis& RunPage::analysis() const
-{
-  return implementation_->analysis;
+    if (commands_taken_++ < MOST_COMMANDS)
+      commands_.push_back(*command);
 }
 
 void RunPage::write(const std::string& path, const std::string& title,
                     const std::vector<std::string>& warnings) const
 {
-  const Implementation& page = *implementation_;
-  const RunResult result = page.analysis.result();
-  const SceneDefinition& scene = page.scene->definition;
+  const RunResult result = analysis_.result();
+  const SceneDefinition& scene = scene_.definition;
   Json json;
   json["title"] = title;
   json["scene"] = {{"yaml", result.scene_frame.yaml},
@@ -220,21 +196,21 @@ void RunPage::write(const std::string& path, const std::string& title,
                    {"version", result.scene_frame.version}};
   json["plan"] = planText(planOf(scene));
   std::vector<std::string> all_warnings = warnings;
-  for (const std::string& warning : page.scene->warnings)
+  for (const std::string& warning : scene_.warnings)
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
       all_warnings.push_back(warning);
   json["warnings"] = all_warnings;
   json["results"] = reportJson(result);
   json["machine"] = machinePart(scene);
-  json["commands"] = commandsPart(page.commands, scene);
-  json["commands_taken"] = page.commands_taken;
+  json["commands"] = commandsPart(commands_, scene);
+  json["commands_taken"] = commands_taken_;
 
   const std::string series = deflated(jsonForHtml(
       {{"drive", driveSeries(result)}, {"bins", binSeries(result)}, {"velocities", velocitySeries(result)}}));
   const std::size_t rest =
       AROUND_DATA + lengthOf(RUN_TEMPLATE) + jsonForHtml(json).size() + inBase64(series.size());
-  const std::size_t for_motion = page.size > rest ? (page.size - rest) / 4 * 3 : 0;
-  EncodedMotion motion = page.motion->encoded(for_motion);
+  const std::size_t for_motion = size_ > rest ? (size_ - rest) / 4 * 3 : 0;
+  EncodedMotion motion = motion_->encoded(for_motion);
   json["motion"] = std::move(motion.description);
   writePage(path, RUN_TEMPLATE, title, json, {{"series", series}, {"motion", std::move(motion.bytes)}});
 }

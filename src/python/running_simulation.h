@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "ratchet_sieve/core/simulation.h"
-#include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/recording/stride.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve

@@ -45,14 +45,6 @@ bool isFile(const NamedFile& file)
   return !file.path.empty() && !fs::is_other(file.path, ignored);
 }
 
-void requireOthers(const NamedFile& output, const std::vector<NamedFile>& files)
-{
-  for (const NamedFile& file : files)
-    if (isFile(file) && isFile(output) && isSameFile(file.path, output.path))
-      throw SameFileError(output.name + ' ' + output.path + ": is the file of " + file.name +
-                          "; must be another one");
-}
-
 }  // namespace
 
 std::string linkTarget(const std::string& path)
@@ -120,10 +112,14 @@ void AtomicFile::commit()
 
 void requireDistinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs)
 {
-  for (std::size_t k = 0; k < outputs.size(); ++k)
+  std::vector<NamedFile> others = inputs;
+  for (const NamedFile& output : outputs)
   {
-    requireOthers(outputs[k], inputs);
-    requireOthers(outputs[k], {outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(k)});
+    for (const NamedFile& other : others)
+      if (isFile(other) && isFile(output) && isSameFile(other.path, output.path))
+        throw SameFileError(output.name + ' ' + output.path + ": is the file of " + other.name +
+                            "; must be another one");
+    others.push_back(output);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -186,15 +187,12 @@ std::string unknownErrorText(const Simulation& simulation)
       names, counted, enough);
 }
 
-LookTimes::LookTimes(const Simulation& simulation) : simulation_(simulation), blocks_(FIRST_LOOK)
+double lookFrom(const Simulation& simulation, double time)
 {
-  while (next() < simulation.time())
-    pass();
-}
-
-void LookTimes::pass()
-{
-  blocks_ += (blocks_ + BLOCKS_PER_MORE - 1) / BLOCKS_PER_MORE;
+  std::uint64_t blocks = FIRST_LOOK;
+  while (simulation.blockEnd(blocks) < time)
+    blocks += (blocks + BLOCKS_PER_MORE - 1) / BLOCKS_PER_MORE;
+  return simulation.blockEnd(blocks);
 }
 
 }  // namespace ratchet_sieve

@@ -85,18 +85,11 @@ SceneFrame makeSceneFrame(const Simulation& simulation)
 
 ParticleFrame makeParticleFrame(const Simulation& simulation)
 {
-  ParticleFrame frame;
-  makeParticleFrame(simulation, frame);
-  return frame;
-}
-
-void makeParticleFrame(const Simulation& simulation, ParticleFrame& frame)
-{
-  frame.time = simulation.time();
-  simulation.disks(frame.disks);
+  ParticleFrame frame{simulation.time(), simulation.disks()};
   if (simulation.sizeClasses().empty() && simulation.scene().feed.disks.empty())
     for (DiskState& disk : frame.disks)
       disk.radius = 0.0;
+  return frame;
 }
 
 void addRatios(BinFrame& frame)

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include "ratchet_sieve/recording/certainty.h"
 #include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/run_warnings.h"
+#include "ratchet_sieve/recording/stride.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
@@ -24,6 +24,8 @@ using Clock = std::chrono::steady_clock;
 /// Time scales of the machine between audits of all disks for overlaps. Audits fall on the same times for
 /// every duration, so that a resumed run has those of an uninterrupted one.
 constexpr double SCALES_PER_AUDIT = 16.0;
+
+constexpr double NEVER = std::numeric_limits<double>::infinity();
 
 double secondsSince(Clock::time_point start)
 {
@@ -44,7 +46,7 @@ public:
     if (nextAudit() < simulation.time())
       audits_ += 1.0;
     if (simulation.scene().accuracy.endsEarly())
-      looks_.emplace(simulation);
+      next_look_ = lookFrom(simulation, simulation.time());
     if (!watchers_.frames.empty())
       simulation.keepExits(BIN_WINDOW);
     for (const FrameStream& stream : watchers_.frames)
@@ -115,7 +117,7 @@ private:
         return;
       }
       run_.observePeriods();
-      stride_.advance(simulation_, std::min({nextAudit(), run_.nextTime(), nextLook()}));
+      stride_.advance(simulation_, std::min({nextAudit(), run_.nextTime(), next_look_}));
       lookAtDue();
       if (secondsSince(last_save_) >= watchers_.save_period)
         save();
@@ -141,16 +143,14 @@ private:
   /// Whether the run has reached the accuracy that its scene requests.
   bool accurate()
   {
-    if (nextLook() > simulation_.time())
+    if (next_look_ > simulation_.time())
       return false;
-    looks_->pass();
+    next_look_ = lookFrom(simulation_, std::nextafter(simulation_.time(), NEVER));
     if (!*certaintyOf(simulation_).reached())
       return false;
     outcome_.end = RunEnd::ACCURATE;
     return true;
   }
-
-  double nextLook() const { return looks_ ? looks_->next() : std::numeric_limits<double>::infinity(); }
 
   double nextAudit() const { return audits_ * audit_period_; }
 
@@ -171,7 +171,7 @@ private:
   Simulation& simulation_;
   const RunWatchers& watchers_;
   Run run_;
-  std::optional<LookTimes> looks_;  ///< present if the run may end before its duration
+  double next_look_ = NEVER;  ///< at the accuracy, if the run may end before its duration [s]
   RunOutcome outcome_;
   Stride stride_;        ///< so that watchers are served in time
   double audit_period_;  ///< [s]

@@ -115,18 +115,10 @@ void Run::take(Stream& stream)
     stream.window.moveTo(simulation_);
   if (!hasFrames<Frame>(simulation_.scene()) || !stream.sink.wants(kindOf<Frame>()))
     return;
-  if constexpr (std::is_same_v<Frame, ParticleFrame>)
-  {
-    makeParticleFrame(simulation_, particle_frame_);
-    stream.sink.take(particle_frame_);
-  }
-  else
-  {
-    Frame frame = makeFrame<Frame>(simulation_, stream.window);
-    if constexpr (std::is_same_v<Frame, StatisticsFrame>)
-      frame.real_time_factor = realTimeFactor(stream);
-    stream.sink.take(frame);
-  }
+  Frame frame = makeFrame<Frame>(simulation_, stream.window);
+  if constexpr (std::is_same_v<Frame, StatisticsFrame>)
+    frame.real_time_factor = realTimeFactor(stream);
+  stream.sink.take(frame);
 }
 
 void Run::takeDue(Stream& stream)

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include <fmt/format.h>
+#include <fmt/ostream.h>
 #include <Eigen/Geometry>
 
 #include "ratchet_sieve/core/layer.h"
@@ -87,11 +87,6 @@ std::string frameHead(std::size_t rows, const SceneDefinition& scene, const Driv
       scene.boundary == Boundary::PERIODIC ? 'T' : 'F', time, columns);
 }
 
-void writeText(AtomicFile& file, const fmt::memory_buffer& text)
-{
-  file.stream().write(text.data(), static_cast<std::streamsize>(text.size()));
-}
-
 }  // namespace
 
 TrajectoryFile::TrajectoryFile(const std::string& path)
@@ -122,24 +117,21 @@ void TrajectoryFile::write(const ParticleFrame& particles)
 {
   const SceneDefinition& scene = *scene_;
   const DriveState& base = base_->base;
-  fmt::memory_buffer text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}", frameHead(particles.disks.size(), scene, base, particles.time, DISK_COLUMNS));
+  std::ostream& disks = disks_file_.stream();
+  disks << frameHead(particles.disks.size(), scene, base, particles.time, DISK_COLUMNS);
   for (const DiskState& disk : particles.disks)
   {
     const double radius = radiusOf(disk, scene.species);
-    fmt::format_to(out, "{} {} {} 0 {} {} {} 0 {} {} {} 0 0 {} {}\n", scene.species[disk.species].name,
-                   disk.x, disk.y, disk.id, disk.vx, disk.vy, radius, massOf(disk, scene.species), disk.angle,
-                   disk.spin, disk.displacement);
+    fmt::print(disks, "{} {} {} 0 {} {} {} 0 {} {} {} 0 0 {} {}\n", scene.species[disk.species].name, disk.x,
+               disk.y, disk.id, disk.vx, disk.vy, radius, massOf(disk, scene.species), disk.angle, disk.spin,
+               disk.displacement);
   }
-  writeText(disks_file_, text);
 
-  text.clear();
   const std::vector<Eigen::Vector2d> corners = baseOutline(scene, base);
-  fmt::format_to(out, "{}", frameHead(corners.size(), scene, base, particles.time, CORNER_COLUMNS));
+  base_file_.stream() << frameHead(corners.size(), scene, base, particles.time, CORNER_COLUMNS);
   for (const Eigen::Vector2d& corner : corners)
-    fmt::format_to(out, "base {} {} 0 {}\n", corner.x(), corner.y(), CORNER_RADIUS * scene.base.toothWidth());
-  writeText(base_file_, text);
+    fmt::print(base_file_.stream(), "base {} {} 0 {}\n", corner.x(), corner.y(),
+               CORNER_RADIUS * scene.base.toothWidth());
 }
 
 void TrajectoryFile::commit()

@@ -13,7 +13,7 @@ LIBRARIES = {
     'recording': {'Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'boost'},
     'sweep': {'Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'sqlite3'},
     'analysis': {'Eigen', 'yaml-cpp', 'nlohmann', 'fmt'},
-    'page': {'Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'zlib'},
+    'page': {'Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'zlib', 'boost'},
     'live': {'Eigen', 'yaml-cpp', 'fmt'},
     'web': {'Eigen'},
     'python': {'Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'pybind11'},

@@ -173,15 +173,15 @@ TEST(Certainty, EndsARunAtOneTimeHoweverItIsRun)
 TEST(Certainty, IsLookedAtEverLessOften)
 {
   const Simulation simulation(layer(0.01));
-  LookTimes looks(simulation);
-  double last = looks.next();
+  double last = lookFrom(simulation, 0.0);
   EXPECT_EQ(last, simulation.blockEnd(32));
+  EXPECT_EQ(lookFrom(simulation, last), last);
   for (int k = 0; k < 50; ++k)
   {
-    looks.pass();
-    EXPECT_GE(looks.next(), 1.19 * last);
-    EXPECT_LE(looks.next(), 1.25 * last);
-    last = looks.next();
+    const double next = lookFrom(simulation, 1.01 * last);
+    EXPECT_GE(next, 1.19 * last);
+    EXPECT_LE(next, 1.25 * last);
+    last = next;
   }
 }
 

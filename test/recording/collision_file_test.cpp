@@ -78,12 +78,5 @@ TEST(ExitFile, NamesSpeciesAndSidesAndHoldsNumbersThatReadBack)
             "0.5,8,glass,0.001,2e-06,left,0.5\n");
 }
 
-TEST(CollisionFile, KeepsEveryCollisionOfARunThatOutgrowsItsBuffer)
-{
-  const std::vector<CollisionRecord> records(
-      40000, {1.0 / 3.0, CollisionKind::WALL, 7, std::nullopt, 0.1, 0.2, 0.3});
-  EXPECT_EQ(linesOf(records).size(), 40001u);
-}
-
 }  // namespace
 }  // namespace ratchet_sieve

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <numeric>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -19,8 +16,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-constexpr double TWO_PI = 6.283185307179586476925;
-
 /// Fig. 8: a layer on a drive of 23 Hz.
 SceneDefinition layer()
 {
@@ -40,45 +35,6 @@ CollectingSink recorded(const SceneDefinition& scene, double rate)
   watchers.frames = {{&sink, {0.0, 0.0, 0.0, rate}}};
   runToEnd(simulation, watchers);
   return sink;
-}
-
-/// The part of a series' variance at `frequency`. @pre it is sampled over whole periods of it
-double varianceAt(double frequency, double rate, const std::vector<double>& series)
-{
-  const double count = static_cast<double>(series.size());
-  const double mean = std::accumulate(series.begin(), series.end(), 0.0) / count;
-  std::complex<double> sum;
-  for (std::size_t k = 0; k < series.size(); ++k)
-    sum += (series[k] - mean) * std::polar(1.0, -TWO_PI * frequency * static_cast<double>(k) / rate);
-  return 2.0 * std::norm(sum / count);
-}
-
-/// An oscillation of 23 Hz sampled ten times per second appears at 3 Hz.
-TEST(StatisticsWindow, ShowsNoBeatOfItsRateWithTheDrive)
-{
-  constexpr double RATE = 10.0;
-  constexpr double ALIAS = 3.0;
-  SceneDefinition scene = layer();
-  scene.duration = 11.0;
-  const CollectingSink sink = recorded(scene, RATE);
-  std::vector<double> temperatures, rates, sampled;
-  Simulation simulation(scene);
-  for (const StatisticsFrame& frame : sink.statistics)
-  {
-    if (frame.time <= 1.0)
-      continue;
-    temperatures.push_back(frame.species[0].granular_temperature.value());
-    rates.push_back(frame.collision_rates.total());
-    simulation.advanceTo(frame.time);
-    sampled.push_back(simulation.granularTemperatures()[0].value());
-  }
-  ASSERT_EQ(sampled.size(), 100u);
-  const double before = varianceAt(ALIAS, RATE, sampled);
-  EXPECT_LT(varianceAt(ALIAS, RATE, temperatures), 0.02 * before);
-  // The peak of the instantaneous samples is clear: the test would detect it.
-  EXPECT_GT(before, 20.0 * varianceAt(2.5, RATE, sampled));
-  EXPECT_LT(varianceAt(ALIAS, RATE, rates),
-            10.0 * varianceAt(2.5, RATE, rates) + varianceAt(3.5, RATE, rates));
 }
 
 TEST(StatisticsWindow, IsOfWholePeriodsOneAfterTheOther)

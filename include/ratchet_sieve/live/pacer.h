@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "ratchet_sieve/recording/stride.h"
+
 namespace ratchet_sieve
 {
 
@@ -37,10 +39,10 @@ public:
   double lost() const { return lost_; }
 
   /// The longest advance that takes about LONGEST_WAIT of wall time [simulated s].
-  double stride() const { return stride_; }
+  double stride() const { return stride_.length(); }
 
   /// Updates the stride from an advance by `simulated` [s] that took `wall` [s].
-  void advanced(double simulated, double wall);
+  void advanced(double simulated, double wall) { stride_.learn(simulated, wall); }
 
   /// Callbacks are served at least this often [s of wall time].
   static constexpr double LONGEST_WAIT = 0.01;
@@ -49,7 +51,7 @@ private:
   double factor_;
   double anchor_elapsed_ = 0.0;
   Clock::time_point anchor_wall_ = Clock::now();
-  double stride_ = 1e-3;
+  Stride stride_{LONGEST_WAIT};
   double lost_ = 0.0;
 };
 

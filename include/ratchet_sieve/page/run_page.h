@@ -7,9 +7,12 @@
 
 #include "ratchet_sieve/analysis/run_analysis.h"
 #include "ratchet_sieve/recording/frame_sink.h"
+#include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
 {
+
+class MotionRecord;
 
 constexpr double BYTES_PER_MB = 1e6;
 
@@ -30,7 +33,7 @@ public:
   /// @throws SceneError, AnalysisError as RunAnalysis::take()
   void take(const AnyFrame& frame) override;
 
-  const RunAnalysis& analysis() const;
+  const RunAnalysis& analysis() const { return analysis_; }
 
   /// Writes the page. @param title such as the name of the scene's file
   /// @param warnings of the run; those that follow from its scene are added
@@ -39,8 +42,14 @@ public:
              const std::vector<std::string>& warnings) const;
 
 private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  void begin(const SceneFrame& frame);
+
+  std::size_t size_;
+  RunAnalysis analysis_;
+  Scene scene_;
+  std::unique_ptr<MotionRecord> motion_;  ///< refers to the scene; nothing before one was taken
+  std::vector<CommandFrame> commands_;
+  std::size_t commands_taken_ = 0;
 };
 
 /// The rates of the frames of a page: disks and base at `rate` [1/s], see FrameRates.

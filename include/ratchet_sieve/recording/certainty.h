@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,22 +46,10 @@ std::vector<std::string> shortfalls(const Simulation& simulation, const Certaint
 /// empty if there are none, and for a machine that runs empty.
 std::string unknownErrorText(const Simulation& simulation);
 
-/// The times at which the run checks whether it may end early, each about 1.2 times the one before. The
-/// checks are few, because each check adds to the probability that the error is too small by chance just
-/// then. The times are multiples of the block length counted from `settle`. So they do not depend on how a
-/// run is advanced, saved or resumed.
-class LookTimes
-{
-public:
-  /// The times after simulation.time().
-  explicit LookTimes(const Simulation& simulation);
-
-  double next() const { return simulation_.blockEnd(blocks_); }  ///< [s]
-  void pass();
-
-private:
-  const Simulation& simulation_;
-  std::uint64_t blocks_;
-};
+/// The first time, not before `time`, at which the run checks whether it may end early; each is about 1.2
+/// times the one before. The checks are few, because each check adds to the probability that the error is too
+/// small by chance just then. The times are multiples of the block length counted from `settle`. So they do
+/// not depend on how a run is advanced, saved or resumed.
+double lookFrom(const Simulation& simulation, double time);
 
 }  // namespace ratchet_sieve

@@ -9,30 +9,9 @@
 namespace ratchet_sieve
 {
 
-/// A CSV file with one line per event of a run. Numbers are read back bit for bit. The file appears at
-/// commit().
-class EventFile
-{
-public:
-  /// @throws OutputError if the file could not be written completely
-  void commit();
-
-protected:
-  /// @throws OutputError
-  EventFile(const std::string& path, const std::string& header);
-
-  template <typename... Values>
-  void addLine(const char* format, const Values&... values);
-
-private:
-  void flush();
-
-  AtomicFile file_;
-  std::string lines_;  ///< not yet written
-};
-
-/// time,kind,i,j,normal_speed,normal_impulse,tangential_impulse; j is empty for the base.
-class CollisionFile : public EventFile
+/// A CSV file with one line per collision of a run: time,kind,i,j,normal_speed,normal_impulse,
+/// tangential_impulse; j is empty for the base. Numbers are read back bit for bit.
+class CollisionFile : public AtomicFile
 {
 public:
   /// @throws OutputError
@@ -42,8 +21,9 @@ public:
   void add(const CollisionRecord& record);
 };
 
-/// time,id,species,radius,mass,side,place; the species by its name.
-class ExitFile : public EventFile
+/// A CSV file with one line per disk that leaves: time,id,species,radius,mass,side,place; the species by its
+/// name. Numbers are read back bit for bit.
+class ExitFile : public AtomicFile
 {
 public:
   /// @throws OutputError

@@ -213,9 +213,6 @@ std::vector<std::string> speciesNames(const SceneDefinition& scene);
 SceneFrame makeSceneFrame(const Simulation& simulation);
 ParticleFrame makeParticleFrame(const Simulation& simulation);
 
-/// The same into a frame whose memory is used again.
-void makeParticleFrame(const Simulation& simulation, ParticleFrame& frame);
-
 /// @param window_start no earlier exit is in the frame's window [s]; see Simulation::exitWindow()
 BinFrame makeBinFrame(const Simulation& simulation,
                       double window_start = -std::numeric_limits<double>::infinity());

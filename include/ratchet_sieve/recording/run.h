@@ -141,7 +141,6 @@ private:
   double end_time_;
   WallClock wall_clock_;
   std::vector<Stream> streams_;
-  ParticleFrame particle_frame_;                  ///< reused for all particle frames
   std::vector<CommandFrame> opening_;             ///< opening commands not yet handed over
   std::optional<Clock::time_point> stood_since_;  ///< start of the present pause
   Clock::duration stood_{};                       ///< in all earlier pauses

@@ -3,13 +3,11 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import path from 'node:path';
 import {describe, it} from 'node:test';
-import {SWEEP, drawn, openPage, pathOf} from './support/pages.js';
-import {difference, picture} from './support/picture.js';
+import {SWEEP, openPage, pathOf} from './support/pages.js';
 import {useBrowser} from './support/browser.js';
 
 const LOWEST = [68, 1, 84];      // of viridis
 const HIGHEST = [253, 231, 37];
-const FAR = 8;                   // of 255: browsers round colours
 
 /// Rows of a table without quotes, as maps from column to text.
 function rowsOf(file)
@@ -23,12 +21,11 @@ function chosen(page)
   return page.evaluate(() => [window.ratchetSieve.chosen.x, window.ratchetSieve.chosen.y]);
 }
 
-/// The middle of a cell in the window.
+/// The cell of a setting.
 async function cell(page, x, y)
 {
-  const box = await (await page.$('#map')).boundingBox();
-  const at = await page.evaluate((i, k) => window.ratchetSieve.toPixel(i, k), x, y);
-  return [box.x + at.x, box.y + at.y];
+  const k = await page.evaluate((i, j) => window.ratchetSieve.report.places.findIndex(place => place.x === i && place.y === j), x, y);
+  return (await page.$$('#map .cell'))[k];
 }
 
 describe('the page of a sweep', () => {
@@ -64,12 +61,12 @@ describe('the page of a sweep', () => {
 
   it('answers the pointer and the keys', async () => {
     const {page, seen} = await openPage(browser(), SWEEP);
-    await page.mouse.move(...await cell(page, 1, 1));
+    await (await cell(page, 1, 1)).hover();
     const tip = await page.evaluate(() => [document.querySelector('#tip').hidden, document.querySelector('#tip').textContent]);
     const {x, y} = await page.evaluate(() => window.ratchetSieve.report);
     assert.equal(tip[0], false);
     assert.ok(tip[1].startsWith(`${x.label} = ${x.values[1]}`) && tip[1].includes(`${y.label} = ${y.values[1]}`), tip[1]);
-    await page.mouse.click(...await cell(page, 1, 1));
+    await (await cell(page, 1, 1)).click();
     assert.deepEqual(await chosen(page), [1, 1]);
     await page.focus('#map');
     for (const [key, place] of [['ArrowLeft', [0, 1]], ['ArrowLeft', [0, 1]], ['ArrowDown', [0, 0]], ['End', [2, 0]],
@@ -89,14 +86,11 @@ describe('the page of a sweep', () => {
       const {report} = window.ratchetSieve;
       window.ratchetSieve.showField('processed');
       const k = report.fields.findIndex(({name}) => name === 'processed');
-      const sorted = [...report.places].sort((a, b) => a.means[k].value - b.means[k].value);
-      return [sorted[0], sorted.at(-1)].map(({x, y}) => window.ratchetSieve.toPixel(x, y));
+      return [...report.places].sort((a, b) => a.means[k].value - b.means[k].value).map(({x, y}) => [x, y]);
     });
-    await drawn(page);
-    const image = await picture(page, '#map');
-    for (const [k, colour] of [LOWEST, HIGHEST].entries()) {
-      const found = image.at(Math.round(ends[k].x), Math.round(ends[k].y));
-      assert.ok(difference(found, colour) < FAR, `${found}, not ${colour}`);
+    for (const [place, colour] of [[ends[0], LOWEST], [ends.at(-1), HIGHEST]]) {
+      const found = await (await cell(page, ...place)).evaluate(part => getComputedStyle(part).backgroundColor);
+      assert.equal(found, `rgb(${colour.join(', ')})`);
     }
   });
 

@@ -75,42 +75,28 @@ class LiveMotion {
 /** What the curves show: columns over time that grow. The last row is the present one. */
 class Records {
   constructor(species) {
-    const columns = (...names) => Object.fromEntries(names.map((name) => [name, []]));
     this.every = RECORD_EVERY;
-    this.drive = columns('time', ...['inclination', 'frequency', 'amplitude'].flatMap((name) => [name, 'commanded_' + name]));
-    this.bins = {...columns('time', 'separation', 'quality', 'processed'),
-      species: species.map(() => columns('left', 'right', 'on_base'))};
-    this.velocities = {time: [], species: species.map(() => columns('mean_vx', 'mean_vx_stderr'))};
-  }
-
-  /** Calls back with each table and what its row is read from. */
-  static forEachTable(records, readings, action) {
-    action(records.drive, readings.base);
-    action(records.bins, readings);
-    for (const table of [records.bins, records.velocities])
-      table.species.forEach((each, k) => action(each, readings.species[k]));
-    action(records.velocities, readings);
+    this.columns = [];
+    const table = (source, ...names) => Object.fromEntries(names.map((name) => {
+      this.columns.push({cells: [], valueOf: (readings) => name === 'time' ? readings.time : source(readings)[name]});
+      return [name, this.columns.at(-1).cells];
+    }));
+    const ofSpecies = (...names) => species.map((_, k) => table((readings) => readings.species[k], ...names));
+    this.drive = table(({base}) => base, 'time', ...['inclination', 'frequency', 'amplitude'].flatMap((name) => [name, 'commanded_' + name]));
+    this.bins = {...table((readings) => readings, 'time', 'separation', 'quality', 'processed'), species: ofSpecies('left', 'right', 'on_base')};
+    this.velocities = {time: this.bins.time, species: ofSpecies('mean_vx', 'mean_vx_stderr')};
   }
 
   add(readings) {
-    const times = this.bins.time;
-    const rows = times.length;
-    const replaces = rows > 1 && times[rows - 1] - times[rows - 2] < this.every;
-    Records.forEachTable(this, readings, (table, source) => {
-      for (const [name, column] of Object.entries(table)) {
-        if (name === 'species') continue;
-        if (replaces) column.pop();
-        column.push(name === 'time' ? readings.time : source[name]);
-      }
-    });
-    if (rows > MOST_RECORDS) this.thin(readings);
+    const {time} = this.bins;
+    const rows = time.length;
+    const replaces = rows > 1 && time[rows - 1] - time[rows - 2] < this.every;
+    for (const {cells, valueOf} of this.columns) cells.splice(replaces ? rows - 1 : rows, 1, valueOf(readings));
+    if (rows > MOST_RECORDS) this.thin();
   }
 
-  thin(readings) {
+  thin() {
     this.every *= 2;
-    Records.forEachTable(this, readings, (table) => {
-      for (const [name, column] of Object.entries(table))
-        if (name !== 'species') table[name] = column.filter((_, k) => k % 2 === 0 || k === column.length - 1);
-    });
+    for (const {cells} of this.columns) cells.splice(0, Infinity, ...cells.filter((_, k) => k % 2 === 0 || k === cells.length - 1));
   }
 }

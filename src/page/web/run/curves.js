@@ -131,7 +131,7 @@ class Curves {
       }));
   }
 
-  /** @param {string} what redraw, rebuild, resize or remove */
+  /** @param {string} what redraw, resize or remove */
   all(what) {
     for (const chart of this.charts) chart[what]();
   }

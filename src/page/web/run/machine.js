@@ -11,7 +11,7 @@ class MachinePage {
       player.setSpeed(player.speeds.find((speed) => String(speed) === byId('speed').value)));
     document.addEventListener('keydown', (event) => this.onKey(event));
     onThemeChange(() => {
-      if (this.curves) this.curves.all('rebuild');
+      if (this.curves) this.curves.all('redraw');
       this.show();
     });
     new ResizeObserver(() => {

@@ -86,6 +86,9 @@ class Picture {
     this.fillBins();
     this.view = new View(this.wholeMachine());
     this.followed = null;
+    this.depth = base.lowest - 0.6 * Math.max(base.highest - base.lowest, 0.02 * base.toothWidth);
+    this.body = new Path2D();
+    for (const corner of [[0, this.depth], ...base.outline(), [base.width, this.depth]]) this.body.lineTo(...corner);
   }
 
   get binWidth() {
@@ -147,6 +150,10 @@ class Picture {
     context.fillStyle = themeColour('--ground');
     context.fillRect(0, 0, this.view.width, this.view.height);
     if (this.followed !== null) this.centreOnFollowed(time);
+    // From here on in metres, y upwards.
+    const {scale} = this.view;
+    const origin = this.view.toPixel(0, 0);
+    context.transform(scale, 0, 0, -scale, origin.x, origin.y);
     const pose = this.base.poseAt(time);
     if (this.bins.areUsed) this.drawBins(context, pose, time);
     this.drawBase(context, pose);
@@ -154,86 +161,74 @@ class Picture {
     this.drawDisks(context, time);
   }
 
-  /** A point of the base's frame as a pixel. */
-  onBase(pose, s, n) {
-    return this.view.toPixel(pose.x + s * pose.cosine - n * pose.sine, pose.y + s * pose.sine + n * pose.cosine);
-  }
-
   /** The pixel about which the keys zoom: in the middle, at the height of the base while it is in the picture. */
   middle(time) {
-    const {y} = this.onBase(this.base.poseAt(time), 0.5 * this.base.width, this.base.highest);
-    return [0.5 * this.view.width, Math.min(this.view.height, Math.max(0, y))];
+    const {x, y, cosine, sine} = this.base.poseAt(time);
+    const [s, n] = [0.5 * this.base.width, this.base.highest];
+    const pixel = this.view.toPixel(x + s * cosine - n * sine, y + s * sine + n * cosine);
+    return [0.5 * this.view.width, Math.min(this.view.height, Math.max(0, pixel.y))];
   }
 
-  drawBase(context, pose) {
-    const corners = this.base.outline();
-    const depth = this.base.lowest - 0.6 * Math.max(this.base.highest - this.base.lowest, 0.02 * this.base.toothWidth);
-    context.beginPath();
-    for (const [s, n] of [[0, depth], ...corners, [this.base.width, depth]]) {
-      const {x, y} = this.onBase(pose, s, n);
-      context.lineTo(x, y);
+  drawBase(context, {x, y, cosine, sine}) {
+    context.save();
+    context.transform(cosine, sine, -sine, cosine, x, y);
+    context.fillStyle = context.strokeStyle = themeColour('--base');
+    context.fill(this.body);
+    if (this.base.machine.boundary === 'walled') {
+      context.beginPath();
+      for (const s of [0, this.base.width]) {
+        context.moveTo(s, this.depth);
+        context.lineTo(s, Math.min(this.base.machine.wall_height, this.base.width));
+      }
+      context.lineWidth = 3 / this.view.scale;
+      context.stroke();
     }
-    context.closePath();
-    context.fillStyle = themeColour('--base');
-    context.fill();
-    if (this.base.machine.boundary !== 'walled') return;
-    context.beginPath();
-    for (const s of [0, this.base.width]) {
-      const foot = this.onBase(pose, s, depth);
-      const top = this.onBase(pose, s, Math.min(this.base.machine.wall_height, this.base.width));
-      context.moveTo(foot.x, foot.y);
-      context.lineTo(top.x, top.y);
-    }
-    context.strokeStyle = themeColour('--base');
-    context.lineWidth = 3;
-    context.stroke();
+    context.restore();
   }
 
   /** Both bins, at the ends of the base, with the disks that they hold in the order in which they came. */
   drawBins(context, pose, time) {
     const width = this.binWidth;
     for (const [bin, s] of [['left', 0], ['right', this.base.width]]) {
-      const edge = {x: pose.x + s * pose.cosine, y: pose.y + s * pose.sine};
-      const left = bin === 'left' ? edge.x - width : edge.x;
-      const low = edge.y + this.base.lowest - width;
-      const corner = this.view.toPixel(left, low + width);
+      const left = pose.x + s * pose.cosine - (bin === 'left' ? width : 0);
+      const low = pose.y + s * pose.sine + this.base.lowest - width;
       context.fillStyle = themeColour('--bin');
-      context.fillRect(corner.x, corner.y, width * this.view.scale, width * this.view.scale);
+      context.fillRect(left, low, width, width);
       const paths = this.base.machine.species.map(() => new Path2D());
-      for (const disk of this.heaps[bin].slice(0, this.bins.total(bin, time))) {
-        const pixel = this.view.toPixel(left + disk.x, low + disk.y);
-        addDisk(paths[disk.species], pixel.x, pixel.y, disk.radius * this.view.scale);
-      }
-      paths.forEach((path, species) => {
-        context.fillStyle = colourOf(species);
-        context.fill(path);
-      });
+      for (const disk of this.heaps[bin].slice(0, this.bins.total(bin, time)))
+        this.addDisk(paths[disk.species], left + disk.x, low + disk.y, disk.radius);
+      this.fillDisks(context, paths);
     }
   }
 
   drawDisks(context, time) {
-    const view = this.view;
-    const scale = view.scale;
     const bodies = this.base.machine.species.map(() => new Path2D());
     const marks = new Path2D();
     this.motion.forEachAt(time, (track, x, y, angle) => {
-      const pixelX = 0.5 * view.width + (x - view.centre[0]) * scale;
-      const pixelY = 0.5 * view.height - (y - view.centre[1]) * scale;
-      const radius = this.motion.radii[track] * scale;
-      if (pixelX < -radius || pixelX > view.width + radius || pixelY < -radius || pixelY > view.height + radius) return;
-      addDisk(bodies[this.motion.species[track]], pixelX, pixelY, radius);
-      if (radius >= SMALLEST_OUTLINED) {
-        marks.moveTo(pixelX + 0.35 * radius * Math.cos(angle), pixelY - 0.35 * radius * Math.sin(angle));
-        marks.lineTo(pixelX + 0.85 * radius * Math.cos(angle), pixelY - 0.85 * radius * Math.sin(angle));
-      }
+      const radius = this.motion.radii[track];
+      this.addDisk(bodies[this.motion.species[track]], x, y, radius);
+      if (radius * this.view.scale < SMALLEST_OUTLINED) return;
+      marks.moveTo(x + 0.35 * radius * Math.cos(angle), y + 0.35 * radius * Math.sin(angle));
+      marks.lineTo(x + 0.85 * radius * Math.cos(angle), y + 0.85 * radius * Math.sin(angle));
     });
-    bodies.forEach((body, species) => {
-      context.fillStyle = colourOf(species);
-      context.fill(body);
-    });
+    this.fillDisks(context, bodies);
     context.strokeStyle = '#ffffff';
-    context.lineWidth = 1.5;
+    context.lineWidth = 1.5 / this.view.scale;
     context.stroke(marks);
+  }
+
+  addDisk(path, x, y, radius) {
+    if (radius * this.view.scale < SMALLEST_ROUND) return path.rect(x - radius, y - radius, 2 * radius, 2 * radius);
+    path.moveTo(x + radius, y);
+    return path.arc(x, y, radius, 0, 2 * Math.PI);
+  }
+
+  /** @param {Array<Path2D>} paths of each species */
+  fillDisks(context, paths) {
+    paths.forEach((path, species) => {
+      context.fillStyle = colourOf(species);
+      context.fill(path);
+    });
   }
 
   centreOnFollowed(time) {
@@ -245,29 +240,26 @@ class Picture {
   drawPath(context, time) {
     const track = this.motion.trackOf(this.followed, time);
     if (track < 0) return;
-    const colour = themeColour('--accent');
+    context.strokeStyle = themeColour('--accent');
     for (const [from, to, width, opacity] of [[time - PATH_TIME, time, 1.6, 0.9], [time, time + PATH_TIME, 1, 0.5]]) {
       context.beginPath();
       let before = null;
       for (const [x, y] of this.motion.pathOf(track, from, to, PATH_STEP)) {
-        const pixel = this.view.toPixel(x, y);
         // A periodic base carries the disk from one end to the other.
-        if (before !== null && Math.abs(x - before) < 0.5 * this.base.width) context.lineTo(pixel.x, pixel.y);
-        else context.moveTo(pixel.x, pixel.y);
+        if (before !== null && Math.abs(x - before) < 0.5 * this.base.width) context.lineTo(x, y);
+        else context.moveTo(x, y);
         before = x;
       }
       context.globalAlpha = opacity;
-      context.strokeStyle = colour;
-      context.lineWidth = width;
+      context.lineWidth = width / this.view.scale;
       context.stroke();
       context.globalAlpha = 1;
     }
     const disk = this.diskAt(time, (each) => each.id === this.followed);
     if (!disk) return;
-    const pixel = this.view.toPixel(disk.x, disk.y);
     context.beginPath();
-    context.arc(pixel.x, pixel.y, disk.radius * this.view.scale + 4, 0, 2 * Math.PI);
-    context.lineWidth = 2;
+    context.arc(disk.x, disk.y, disk.radius + 4 / this.view.scale, 0, 2 * Math.PI);
+    context.lineWidth = 2 / this.view.scale;
     context.stroke();
   }
 
@@ -294,13 +286,4 @@ class Picture {
     }
     return least < 8 ? nearest : null;
   }
-}
-
-function addDisk(path, x, y, radius) {
-  if (radius < SMALLEST_ROUND) {
-    path.rect(x - radius, y - radius, 2 * radius, 2 * radius);
-    return;
-  }
-  path.moveTo(x + radius, y);
-  path.arc(x, y, radius, 0, 2 * Math.PI);
 }

@@ -85,19 +85,12 @@ class SweepCurves {
       (this.report.isDoubtful(place, this.field) ? ' (not comparable)' : '');
   }
 
-  /** The place nearest to a point of the chart. */
+  /** The place nearest to a point of the chart: of those below and above it. */
   choose(x, y) {
-    const [low, high] = this.yRange();
-    const span = Math.max(1e-300, this.positions[this.positions.length - 1] - this.positions[0]);
-    let nearest = null;
-    for (const place of this.report.places) {
-      const mean = place.means[this.field];
-      if (!mean || !this.shownRows.includes(place.y)) continue;
-      // What lies below or above the cursor is meant before what lies beside it.
-      const distance = Math.hypot(4 * (this.positions[place.x] - x) / span, (mean.value - y) / (high - low));
-      if (!nearest || distance < nearest.distance) nearest = {place, distance};
-    }
-    if (nearest) this.onChoose(nearest.place);
+    const nearest = (all, distance) => all.reduce((one, other) => distance(other) < distance(one) ? other : one);
+    const column = nearest([...this.positions.keys()], (k) => Math.abs(this.positions[k] - x));
+    const places = this.shownRows.map((row) => this.report.at(column, row)).filter((place) => place && place.means[this.field]);
+    if (places.length) this.onChoose(nearest(places, (place) => Math.abs(place.means[this.field].value - y)));
   }
 
   drawPoints(u) {
@@ -132,12 +125,19 @@ class SweepCurves {
   /** Hollow where Q is not comparable, a star where it is best. */
   drawPoint(ctx, left, top, place, colour, pixels) {
     const isBest = this.report.fields[this.field].name === 'quality' && this.report.isBest(place);
-    ctx.beginPath();
-    if (isBest) starPath(ctx, left, top, 8 * pixels);
-    else ctx.arc(left, top, (place === this.chosen ? 2 : 1) * POINT * pixels, 0, 2 * Math.PI);
     ctx.fillStyle = this.report.isDoubtful(place, this.field) ? themeColour('--ground') : colour;
+    if (isBest) return this.drawText(ctx, '\u2605\ufe0e', left, top, 22 * pixels, 'center');
+    ctx.beginPath();
+    ctx.arc(left, top, (place === this.chosen ? 2 : 1) * POINT * pixels, 0, 2 * Math.PI);
     ctx.fill();
-    ctx.stroke();
+    return ctx.stroke();
+  }
+
+  drawText(ctx, text, left, top, size, align) {
+    ctx.font = `${size}px system-ui, sans-serif`;
+    ctx.textAlign = align;
+    ctx.textBaseline = 'middle';
+    ctx.fillText(text, left, top);
   }
 
   /** The names of the curves at their ends, moved apart where two would touch. */
@@ -150,14 +150,11 @@ class SweepCurves {
         ends[k].top -= 0.5 * overlap;
         ends[k + 1].top += 0.5 * overlap;
       }
-    ctx.font = `${12 * pixels}px system-ui, sans-serif`;
-    ctx.textAlign = 'left';
-    ctx.textBaseline = 'middle';
     for (const {top, text, colour} of ends) {
       ctx.fillStyle = colour;
       ctx.fillRect(left, top - 4 * pixels, 8 * pixels, 8 * pixels);
       ctx.fillStyle = themeColour('--text');
-      ctx.fillText(text, left + 12 * pixels, top);
+      this.drawText(ctx, text, left + 12 * pixels, top, 12 * pixels, 'left');
     }
   }
 }

@@ -26,7 +26,7 @@ class SweepPage {
     this.show();
     new ResizeObserver(() => {
       this.curves.chart.resize();
-      this.show();
+      if (this.map) this.map.resize();
     }).observe(byId('content'));
   }
 
@@ -96,6 +96,5 @@ openPage(async () => {
     get cases() { return report.casesOf(page.chosen); },
     showField: (name) => page.showField(report.fields.findIndex((field) => field.name === name)),
     choose: (column, row = 0) => page.choose(report.at(column, row)),
-    toPixel: (column, row) => page.map.toPixel(column, row),
   }];
 });

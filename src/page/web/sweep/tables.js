@@ -35,11 +35,12 @@ class MeansTable {
     this.report = report;
     this.onChoose = onChoose;
     this.sorting = null;
-    this.columns = [{label: report.labelOf(report.x), value: (place) => report.x.values[place.x]},
-      ...report.y ? [{label: report.labelOf(report.y), value: (place) => report.y.values[place.y]}] : [],
-      {label: 'runs', value: (place) => place.runs},
+    const ofAxis = (axis, k, cell) => ({label: report.labelOf(axis), value: (place) => axis.values[place[k]], cell});
+    this.columns = [ofAxis(report.x, 'x', (place) => this.choice(place)),
+      ...report.y ? [ofAxis(report.y, 'y', (place) => report.valueText(report.y, place.y))] : [],
+      {label: 'runs', value: (place) => place.runs, cell: (place) => String(place.runs)},
       ...report.fields.map((field, k) => ({label: report.labelOf(field),
-        value: (place) => place.means[k] ? place.means[k].value : null}))];
+        value: (place) => place.means[k] ? place.means[k].value : null, cell: (place) => this.mean(place, k)}))];
     byId('means-note').textContent = 'Means over the seeds and their standard errors; means.csv beside this page has all digits. ' +
       'Q in brackets is not comparable.' +
       (report.places.length > MOST_ROWS ? ` The first ${MOST_ROWS} of ${report.places.length} rows.` : '');
@@ -49,49 +50,47 @@ class MeansTable {
   /** Undefined values come last. */
   sorted() {
     if (!this.sorting) return this.report.places;
-    const {value} = this.columns[this.sorting.column];
+    const {sign, column} = this.sorting;
     return [...this.report.places].sort((a, b) => {
-      const [one, other] = [value(a), value(b)];
+      const [one, other] = [column.value(a), column.value(b)];
       if (one === null || other === null) return (one === null) - (other === null);
-      return this.sorting.sign * (typeof one === 'number' && typeof other === 'number' ? one - other
-        : String(one).localeCompare(String(other)));
+      return sign * ((one > other) - (one < other));
     });
   }
 
   fill() {
-    this.rows = new Map();
+    const table = byId('means');
     const places = this.sorted().slice(0, MOST_ROWS);
-    fillTable(byId('means'), this.columns.map((column, k) => this.head(column, k)), places.map((place) => this.cells(place)));
-    const {rows} = byId('means').tBodies[0];
-    places.forEach((place, k) => this.rows.set(place, rows[k]));
-    [...byId('means').tHead.rows[0].cells].forEach((cell, k) => cell.setAttribute('aria-sort',
-      !this.sorting || this.sorting.column !== k ? 'none' : this.sorting.sign > 0 ? 'ascending' : 'descending'));
+    fillTable(table, this.columns.map((column) => this.head(column)),
+      places.map((place) => this.columns.map(({cell}) => cell(place))));
+    this.rows = new Map(places.map((place, k) => [place, table.tBodies[0].rows[k]]));
+    this.columns.forEach((column, k) => table.tHead.rows[0].cells[k].setAttribute('aria-sort',
+      !this.sorting || this.sorting.column !== column ? 'none' : this.sorting.sign > 0 ? 'ascending' : 'descending'));
     if (this.chosen) this.show(this.chosen);
   }
 
-  head(column, k) {
-    const isSorted = this.sorting && this.sorting.column === k;
-    const sign = isSorted ? this.sorting.sign > 0 ? ' \u25b4' : ' \u25be' : '';
-    const button = element('button', {type: 'button', title: 'Sort'}, column.label + sign);
+  head(column) {
+    const button = element('button', {type: 'button', title: 'Sort'}, column.label);
     button.addEventListener('click', () => {
-      this.sorting = {column: k, sign: isSorted ? -this.sorting.sign : 1};
+      this.sorting = {column, sign: this.sorting && this.sorting.column === column ? -this.sorting.sign : 1};
       this.fill();
-      byId('means').tHead.rows[0].cells[k].firstChild.focus();
+      byId('means').tHead.rows[0].cells[this.columns.indexOf(column)].firstChild.focus();
     });
     return button;
   }
 
-  cells(place) {
-    const {report} = this;
-    const choose = element('button', {type: 'button', title: 'Choose this setting'}, report.valueText(report.x, place.x));
+  choice(place) {
+    const choose = element('button', {type: 'button', title: 'Choose this setting'}, this.report.valueText(this.report.x, place.x));
     choose.addEventListener('click', () => this.onChoose(place));
-    return [choose, ...report.y ? [report.valueText(report.y, place.y)] : [], String(place.runs),
-      ...report.fields.map((_, k) => {
-        const star = report.fields[k].name === 'quality' && report.isBest(place) ? '\u2605\u00a0' : '';
-        const mean = place.means[k];
-        const text = star + (mean ? withError(mean.value, mean.error, '') : UNDEFINED);
-        return report.isDoubtful(place, k) ? element('span', {class: 'not-comparable', title: 'Q not comparable'}, `(${text})`) : text;
-      })];
+    return choose;
+  }
+
+  mean(place, k) {
+    const {report} = this;
+    const star = report.fields[k].name === 'quality' && report.isBest(place) ? '\u2605\u00a0' : '';
+    const mean = place.means[k];
+    const text = star + (mean ? withError(mean.value, mean.error, '') : UNDEFINED);
+    return report.isDoubtful(place, k) ? element('span', {class: 'not-comparable', title: 'Q not comparable'}, `(${text})`) : text;
   }
 
   show(chosen) {
