@@ -94,7 +94,7 @@ int writeTablesAndPlots(const RunResult& result, const Arguments& arguments)
 
 int analyze(const Arguments& arguments)
 {
-  requireDistinctFiles(arguments);
+  orRefuse<SameFileError>([&] { requireDistinctFiles(arguments); });
   std::signal(SIGPIPE, SIG_IGN);  // where nobody reads its text, the files are written all the same
   std::unique_ptr<AtomicFile> summary;
   if (!arguments.summary.empty())
