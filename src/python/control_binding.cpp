@@ -273,6 +273,7 @@ void bindControl(py::module_& module)
   }
   module.attr("COMMANDED_QUANTITIES") = py::tuple(quantities);
   module.attr("BIN_FIELDS") = py::tuple(py::cast(fieldNames<SpeciesBins>()));
+  module.attr("DISK_FIELDS") = py::tuple(py::cast(fieldNames<DiskState>()));
   module.attr("BASE_FIELDS") = py::tuple(py::cast(fieldNames<DriveState>()));
   module.def("step_many", &stepMany, py::arg("simulations"), py::arg("names"), py::arg("setpoints"),
              py::arg("times"), py::arg("cells"), py::arg("threads"));
