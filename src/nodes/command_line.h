@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -54,6 +56,16 @@ inline auto within(double least, double most, const char* unit)
                ? std::string()
                : fmt::format("{}: must be a number from {:g} to {:g} {}", text, least, most, unit);
   };
+}
+
+/// Prints text, which is a program's result. @throws OutputError if it could not be printed in full, as on a
+/// full disk
+inline void print(const std::string& text)
+{
+  const bool printed = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+  std::clearerr(stdout);
+  if (!printed)
+    failToWrite("standard output", std::strerror(errno));
 }
 
 /// Prints one error line. @return the status

@@ -1,8 +1,6 @@
 #include "run_arguments.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -150,8 +148,7 @@ void answerKeys(const std::vector<std::string>& parts)
   const std::string table = keyTable(part);
   if (table.empty())
     throw Refusal("--keys " + part + ": no key of a scene contains this");
-  if (std::fputs(table.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-    throw std::runtime_error("the keys could not be written to standard output");
+  print(table);
   throw CLI::Success();
 }
 

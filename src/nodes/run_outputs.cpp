@@ -176,8 +176,8 @@ void RunOutputs::writeSummary(const std::string& text)
     summary_->stream() << text;
     summary_->commit();
   }
-  else if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-    throw std::runtime_error("the summary could not be written to standard output");
+  else
+    print(text);
 }
 
 }  // namespace ratchet_sieve

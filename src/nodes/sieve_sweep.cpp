@@ -198,7 +198,7 @@ int report(const Sweep& sweep, SweepArguments& arguments)
   std::ifstream file(arguments.out + "/report.json");
   const auto data = nlohmann::ordered_json::parse(file);
   writeSweepPage(page, data);
-  std::printf("%s\n", page.c_str());
+  print(page + "\n");
   for (const auto& line : data.at("findings"))
     std::fprintf(stderr, "%s\n", line.get<std::string>().c_str());
   return DONE;
@@ -223,7 +223,7 @@ int dispatch(const CLI::App& app, SweepArguments& arguments)
     return exportResults(sweep, arguments);
   if (app.got_subcommand("report"))
     return report(sweep, arguments);
-  std::fputs(statusText(sweep, arguments.results).c_str(), stdout);
+  print(statusText(sweep, arguments.results));
   return DONE;
 }
 
