@@ -8,6 +8,7 @@ BASE_FIELDS: tuple[str, ...]
 BIN_FIELDS: tuple[str, ...]
 COLLISION_KINDS: tuple[str, ...]
 COMMANDED_QUANTITIES: tuple[dict[str, Any], ...]
+DISK_FIELDS: tuple[str, ...]
 
 class Scene:
     @property

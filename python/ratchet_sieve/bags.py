@@ -14,7 +14,6 @@ from .scene import Scene
 # Of each message that a bag needs, its type.
 SCENE, DISKS, BASE, BINS = (f"ratchet_sieve/{name}"
                             for name in ("SceneDescription", "ParticleStates", "BaseState", "BinCounts"))
-DISK_COLUMNS = ("id", "species", "x", "y", "angle", "vx", "vy", "spin", "displacement", "radius")
 
 
 def read_bag(path: Union[str, os.PathLike]) -> Recording:
@@ -45,7 +44,7 @@ def _read(bag: Any, path: str) -> Recording:
         raise BagError(f"{path}: holds {len(scenes)} runs: must be one")
     scene = Scene(scenes[0].yaml, source=path)
     lists: dict[str, dict[float, Any]] = {
-        "disks": {message.time: scene._engine.disks_of({name: getattr(message, name) for name in DISK_COLUMNS})
+        "disks": {message.time: scene._engine.disks_of({name: getattr(message, name) for name in _engine.DISK_FIELDS})
                   for message in _messages(bag, DISKS, path)},
         "base": {message.time: {name: getattr(message, name) for name in _engine.BASE_FIELDS}
                  for message in _messages(bag, BASE, path)},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -10,18 +11,14 @@ namespace ratchet_sieve
 
 /// A bag that takes the frames of a run. A library of its own writes it, which sieve_run loads for --bag
 /// only, so that other runs need not load ROS.
-class BagOutput : public FrameSink
+struct BagOutput
 {
-public:
-  /// Finishes the file. @throws std::runtime_error
-  virtual void close() = 0;
+  std::shared_ptr<FrameSink> sink;
+  std::function<void()> close;  ///< finishes the file @throws std::runtime_error
 };
 
-/// @throws std::runtime_error if it cannot be written or this build has no ROS
-std::unique_ptr<BagOutput> openBag(const std::string& path);
-
-/// The function of that library which opens a bag; the caller deletes it. @throws std::runtime_error
-using OpenBagPlugin = BagOutput*(const char* path);
+/// The function of that library which opens a bag. @throws std::runtime_error
+using OpenBagPlugin = void(const std::string& path, BagOutput& bag);
 constexpr const char* BAG_PLUGIN_FUNCTION = "ratchetSieveOpenBag";
 
 }  // namespace ratchet_sieve

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "process_start.h"
@@ -27,6 +31,42 @@ struct Refusal : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
+
+/// What `make` returns. Its errors of this type refuse the arguments. @param where begins their lines
+template <typename Error, typename Make>
+auto orRefuse(const Make& make, const std::string& where = "")
+{
+  try
+  {
+    return make();
+  }
+  catch (const Error& error)
+  {
+    throw Refusal(where + error.what());
+  }
+}
+
+/// The check of a number. That of CLI11 names a limit with all its digits.
+inline auto within(double least, double most, const char* unit)
+{
+  return [=](const std::string& text)
+  {
+    const double number = std::strtod(text.c_str(), nullptr);
+    return number >= least && number <= most
+               ? std::string()
+               : fmt::format("{}: must be a number from {:g} to {:g} {}", text, least, most, unit);
+  };
+}
+
+/// Prints text, which is a program's result. @throws OutputError if it could not be printed in full, as on a
+/// full disk
+inline void print(const std::string& text)
+{
+  const bool printed = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+  std::clearerr(stdout);
+  if (!printed)
+    failToWrite("standard output", std::strerror(errno));
+}
 
 /// Prints one error line. @return the status
 inline int complain(const CLI::App& app, const std::string& what, int status)
@@ -154,10 +194,6 @@ inline int runProgram(CLI::App& app, int argc, char** argv, const std::function<
     return complain(app, std::string(error.what()) + "; see --help", REFUSED);
   }
   catch (const Refusal& error)
-  {
-    return complain(app, error.what(), REFUSED);
-  }
-  catch (const SameFileError& error)
   {
     return complain(app, error.what(), REFUSED);
   }

@@ -1,27 +1,10 @@
 #include "page_arguments.h"
 
-#include <cstdlib>
-
-#include <fmt/format.h>
-
+#include "command_line.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 
 namespace ratchet_sieve
 {
-namespace
-{
-
-/// The error in a size; empty if it is valid.
-std::string requireSize(const std::string& text)
-{
-  const double bytes = BYTES_PER_MB * std::strtod(text.c_str(), nullptr);
-  return bytes >= SMALLEST_PAGE && bytes <= LARGEST_PAGE
-             ? ""
-             : fmt::format("{}: must be a number from {:g} to {:g} MB", text, SMALLEST_PAGE / BYTES_PER_MB,
-                           LARGEST_PAGE / BYTES_PER_MB);
-}
-
-}  // namespace
 
 std::size_t PageArguments::bytes() const
 {
@@ -52,7 +35,7 @@ void describeSize(CLI::App& app, PageArguments& arguments, CLI::Option* html)
                  "Size of such a file at most [MB]: the frames of the motion are thinned to it")
       ->type_name("MB")
       ->needs(html)
-      ->check(requireSize)
+      ->check(within(SMALLEST_PAGE / BYTES_PER_MB, LARGEST_PAGE / BYTES_PER_MB, "MB"))
       ->capture_default_str();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -23,14 +24,22 @@ inline void startProcess()
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-/// Has `handler` called for the signals that ask a run to end: also when its terminal is closed, except under
-/// nohup. A pipe that nobody reads any more is an error of the output, and does not end the run.
-inline void attendSignals(void (*handler)(int))
+/// Whether a signal has asked the run to end.
+inline std::atomic<bool> stop{false};
+
+inline void requestStop(int)
 {
-  std::signal(SIGINT, handler);
-  std::signal(SIGTERM, handler);
+  stop = true;
+}
+
+/// Attends the signals that ask a run to end: also when its terminal is closed, except under nohup. A pipe
+/// that nobody reads any more is an error of the output, and does not end the run.
+inline void attendSignals()
+{
+  std::signal(SIGINT, requestStop);
+  std::signal(SIGTERM, requestStop);
   if (std::signal(SIGHUP, SIG_IGN) != SIG_IGN)
-    std::signal(SIGHUP, handler);
+    std::signal(SIGHUP, requestStop);
   std::signal(SIGPIPE, SIG_IGN);
 }
 

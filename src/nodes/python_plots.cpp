@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,14 +50,10 @@ int runModule(const std::string& module, std::vector<std::string> arguments)
   argv.push_back(nullptr);
   setenv("PYTHONPATH", path.c_str(), 1);
   setenv("PYTHONIOENCODING", ":surrogateescape", 1);  // paths are printed byte by byte
-  const pid_t child = fork();
-  if (child == 0)
-  {
-    execv(PYTHON, argv.data());
-    _exit(127);
-  }
+  pid_t child = 0;
   int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) < 0)
+  errno = posix_spawn(&child, PYTHON, nullptr, nullptr, argv.data(), environ);
+  if (errno != 0 || waitpid(child, &status, 0) < 0)
     throw std::runtime_error(module + ": cannot be run: " + std::strerror(errno));
   return status;
 }

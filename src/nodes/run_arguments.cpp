@@ -1,13 +1,11 @@
 #include "run_arguments.h"
 
-#include <cstdio>
-#include <cstdlib>
-#include <stdexcept>
+#include <algorithm>
 
 #include <fmt/format.h>
 
 #include "command_line.h"
-#include "key_table.h"
+#include "ratchet_sieve/scene/key_list.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
@@ -15,49 +13,35 @@ namespace ratchet_sieve
 namespace
 {
 
-/// The error in an option's time; empty if it is valid. The message of CLI11's validator would contain the
-/// largest double, with all its digits.
-std::string requireSeconds(const std::string& text)
-{
-  return std::strtod(text.c_str(), nullptr) >= 0.0 ? "" : text + ": must be 0 s or more";
-}
-
-/// The error in a rate of frames; empty if it is valid. See requireSeconds().
-std::string requireRate(const std::string& text)
-{
-  const double rate = std::strtod(text.c_str(), nullptr);
-  return rate >= 0.0 && rate <= MAX_FRAME_RATE
-             ? ""
-             : fmt::format("{}: must be a number from 0 to {:g} Hz", text, MAX_FRAME_RATE);
-}
-
 /// The error in an argument of --until: only some keys of accuracy decide when a run ends.
 std::string requireCertaintyKey(const std::string& assignment)
 {
   const std::string key = assignment.substr(0, assignment.find('='));
-  std::string known;
-  for (const std::string& name : certaintyKeyNames())
-  {
-    if (key == name)
-      return "";
-    known += (known.empty() ? "" : ", ") + name;
-  }
-  return key + ": unknown key; must be one of " + known;
+  const std::vector<std::string> known = certaintyKeyNames();
+  return std::count(known.begin(), known.end(), key) > 0
+             ? ""
+             : fmt::format("{}: unknown key; must be one of {}", key, fmt::join(known, ", "));
 }
 
-/// What is run.
+/// What is run. The rules of the scene check the values of all options that set its keys.
 void describeScene(CLI::App& app, RunArguments& arguments)
 {
+  const auto setting = [&arguments](const std::string& begin)
+  { return [&arguments, begin](const std::string& rest) { arguments.overrides.push_back(begin + rest); }; };
   app.add_option("SCENE", arguments.scene, "Scene file (YAML)")->type_name("FILE");
   app.add_option("--set", arguments.overrides,
                  "Set a key of the scene, such as base.inclination=0.105 or species.0.radius=0.004, or take "
                  "it out (KEY=null); repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--seed", arguments.seed, "Set the seed")->type_name("N");
-  app.add_option("--duration", arguments.duration, "Set the duration [s of simulated time]")->type_name("S");
-  app.add_option(
-         "--until", arguments.until,
+  app.add_option_function<std::string>("--seed", setting("seed="), "Set the seed")->type_name("N");
+  app.add_option_function<std::string>("--duration", setting("duration="),
+                                       "Set the duration [s of simulated time]")
+      ->type_name("S");
+  app.add_option_function<std::vector<std::string>>(
+         "--until",
+         [set = setting("accuracy.")](const std::vector<std::string>& all)
+         { std::for_each(all.begin(), all.end(), set); },
          "Set accuracy.KEY, with KEY mean_vx [m/s], quality or confidence: the run ends before its duration "
          "once the results are known within these half-widths; repeatable")
       ->type_name("KEY=VALUE")
@@ -68,34 +52,29 @@ void describeScene(CLI::App& app, RunArguments& arguments)
 /// What is written.
 void describeOutputs(CLI::App& app, RunArguments& arguments)
 {
+  const auto rate = [&app](const char* name, double& value, CLI::Option* of, const char* text)
+  {
+    app.add_option(name, value, text)
+        ->type_name("HZ")
+        ->needs(of)
+        ->check(within(0.0, MAX_FRAME_RATE, "Hz"))
+        ->capture_default_str();
+  };
   CLI::Option* bag =
       app.add_option("--bag", arguments.bag, "Record the run into a ROS bag")->type_name("FILE");
-  app.add_option(
-         "--bag-rate", arguments.bag_rate,
-         "Rate of the recorded frames of the disks [Hz of simulated time]; 0: only the first and the last")
-      ->type_name("HZ")
-      ->needs(bag)
-      ->check(requireRate)
-      ->capture_default_str();
+  rate("--bag-rate", arguments.bag_rate, bag,
+       "Rate of the recorded frames of the disks [Hz of simulated time]; 0: only the first and the last");
   CLI::Option* trajectory =
       app.add_option(
              "--trajectory", arguments.trajectory,
              "Write the motion of the disks, and of the base beside it, as extended XYZ for OVITO and "
              "ASE; FILE ends in .xyz or .extxyz")
           ->type_name("FILE");
-  app.add_option("--trajectory-rate", arguments.trajectory_rate,
-                 "Rate of the frames of --trajectory [Hz of simulated time]; 0: only the first and the last")
-      ->type_name("HZ")
-      ->needs(trajectory)
-      ->check(requireRate)
-      ->capture_default_str();
-  app.add_option("--html-rate", arguments.page_rate,
-                 "Rate of the frames of --html, before they are thinned [Hz of simulated time]; 0: only the "
-                 "first and the last")
-      ->type_name("HZ")
-      ->needs(describe(app, arguments.page))
-      ->check(requireRate)
-      ->capture_default_str();
+  rate("--trajectory-rate", arguments.trajectory_rate, trajectory,
+       "Rate of the frames of --trajectory [Hz of simulated time]; 0: only the first and the last");
+  rate("--html-rate", arguments.page_rate, describe(app, arguments.page),
+       "Rate of the frames of --html, before they are thinned [Hz of simulated time]; 0: only the first and "
+       "the last");
   app.add_option("--collisions", arguments.collisions, "Write every collision to a CSV file")
       ->type_name("FILE");
   app.add_option(
@@ -114,7 +93,7 @@ void describeRun(CLI::App& app, RunArguments& arguments)
       ->type_name("FILE");
   app.add_option("--checkpoint-every", arguments.checkpoint_every, "Period of --checkpoint [s of wall time]")
       ->type_name("S")
-      ->check(requireSeconds)
+      ->check(within(0.0, 1e9, "s"))
       ->capture_default_str();
   app.add_option(
          "--resume", arguments.resume,
@@ -134,6 +113,34 @@ void describeRun(CLI::App& app, RunArguments& arguments)
       ->capture_default_str();
 }
 
+std::string rowOf(const KeyText& text)
+{
+  return fmt::format("{:<38}  {:<7}  {:<6}  {:<25}  {}\n", text.key, text.type,
+                     text.unit.empty() ? "-" : text.unit, text.values, text.default_text);
+}
+
+/// A heading for each part of a scene, two lines for each of its keys. Cells are at least two spaces apart,
+/// which no cell contains; docs/scenes.md is made from it.
+/// @param part only keys that contain this @return an empty text if there is none
+std::string keyTable(const std::string& part)
+{
+  std::string table;
+  for (const KeyGroup& group : sceneKeyGroups())
+  {
+    std::string rows;
+    for (const KeyText& key : group.keys)
+      if (key.key.find(part) != std::string::npos)
+        rows += rowOf(key) + wrappedText(key.meaning, 4);
+    if (!rows.empty())
+      table += fmt::format("{}{}: {}\n\n", table.empty() ? "" : "\n",
+                           group.name.empty() ? "scene" : group.name, group.meaning) +
+               rows;
+  }
+  if (table.empty())
+    return "";
+  return rowOf({"KEY", "TYPE", "UNIT", "ALLOWED", "DEFAULT", ""}) + "\n" + table;
+}
+
 /// --keys is answered as soon as it is parsed, since it needs no scene.
 void answerKeys(const std::vector<std::string>& parts)
 {
@@ -141,8 +148,7 @@ void answerKeys(const std::vector<std::string>& parts)
   const std::string table = keyTable(part);
   if (table.empty())
     throw Refusal("--keys " + part + ": no key of a scene contains this");
-  if (std::fputs(table.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-    throw std::runtime_error("the keys could not be written to standard output");
+  print(table);
   throw CLI::Success();
 }
 

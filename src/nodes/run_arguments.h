@@ -16,10 +16,7 @@ namespace ratchet_sieve
 struct RunArguments
 {
   std::string scene;
-  std::vector<std::string> overrides;
-  std::string seed;
-  std::string duration;
-  std::vector<std::string> until;
+  std::vector<std::string> overrides;  ///< of --set, --seed, --duration and --until, in this order
   std::string bag;
   double bag_rate = FrameRates().particles;
   std::string trajectory;
@@ -34,19 +31,6 @@ struct RunArguments
   std::string resume;
   bool check_floor = false;
   std::size_t threads = 0;
-
-  /// --seed, --duration and --until are overrides too, so that the rules of the scene check them.
-  std::vector<std::string> allOverrides() const
-  {
-    std::vector<std::string> all = overrides;
-    if (!seed.empty())
-      all.push_back("seed=" + seed);
-    if (!duration.empty())
-      all.push_back("duration=" + duration);
-    for (const std::string& assignment : until)
-      all.push_back("accuracy." + assignment);
-    return all;
-  }
 };
 
 /// Describes the options of sieve_run, which are parsed into `arguments`, and its help.

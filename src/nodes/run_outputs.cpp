@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <dlfcn.h>
+
 #include "command_line.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 
@@ -29,6 +31,25 @@ void requireDistinctFiles(const RunArguments& arguments, const std::string& feed
   requireDistinct({{"--resume", arguments.resume}}, outputs);
   outputs.push_back({"--checkpoint", arguments.checkpoint});
   requireDistinct({{"SCENE", arguments.scene}, {"feed.file", feed_file}}, outputs);
+}
+
+/// Never unloads the library, because ROS's libraries do not support it.
+/// @throws std::runtime_error if the bag cannot be written or this build has no ROS
+BagOutput openBag(const std::string& path)
+{
+#ifdef RATCHET_SIEVE_BAG_PLUGIN
+  void* library = dlopen(RATCHET_SIEVE_BAG_PLUGIN, RTLD_NOW | RTLD_LOCAL);
+  void* function = library != nullptr ? dlsym(library, BAG_PLUGIN_FUNCTION) : nullptr;
+  if (function == nullptr)
+    throw std::runtime_error(
+        "--bag " + path +
+        ": bags need the ROS part (on Debian: install ros-ratchet-sieve_*.deb): " + dlerror());
+  BagOutput bag;
+  reinterpret_cast<OpenBagPlugin*>(function)(path, bag);
+  return bag;
+#else
+  throw std::runtime_error("--bag " + path + ": bags need ROS, and this build has none");
+#endif
 }
 
 }  // namespace
@@ -79,15 +100,12 @@ private:
 
 RunOutputs::RunOutputs(const RunArguments& arguments, const std::string& feed_file)
 {
-  try
-  {
-    requireDistinctFiles(arguments, feed_file);
-    open(arguments);
-  }
-  catch (const std::exception& error)
-  {
-    throw Refusal(error.what());
-  }
+  orRefuse<std::exception>(
+      [&]
+      {
+        requireDistinctFiles(arguments, feed_file);
+        open(arguments);
+      });
 }
 
 RunOutputs::~RunOutputs() = default;
@@ -105,7 +123,7 @@ void RunOutputs::open(const RunArguments& arguments)
     bag_ = openBag(arguments.bag);
     FrameRates rates;
     rates.particles = arguments.bag_rate;
-    add(*bag_, rates, [this] { bag_->close(); });
+    add(*bag_.sink, rates, bag_.close);
   }
   if (!arguments.trajectory.empty())
   {
@@ -158,8 +176,8 @@ void RunOutputs::writeSummary(const std::string& text)
     summary_->stream() << text;
     summary_->commit();
   }
-  else if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-    throw std::runtime_error("the summary could not be written to standard output");
+  else
+    print(text);
 }
 
 }  // namespace ratchet_sieve

@@ -43,7 +43,7 @@ private:
   std::unique_ptr<AtomicFile> summary_;
   std::unique_ptr<CollisionFile> collisions_;
   std::unique_ptr<ExitFile> exits_;
-  std::unique_ptr<BagOutput> bag_;
+  BagOutput bag_;
   std::unique_ptr<TrajectoryFile> trajectory_;
   std::unique_ptr<RunPage> page_;
   std::vector<std::unique_ptr<GuardedSink>> sinks_;

@@ -1,8 +1,4 @@
-#include <cerrno>
 #include <csignal>
-#include <cstdio>
-#include <cstring>
-#include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -46,15 +42,6 @@ void describe(CLI::App& app, Arguments& arguments)
       "read.");
 }
 
-/// @throws OutputError if standard output could not be written in full, as on a full disk
-void requirePrinted()
-{
-  const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
-  std::clearerr(stdout);
-  if (failed)
-    throw OutputError(std::string("standard output: cannot be written: ") + std::strerror(errno));
-}
-
 void requireDistinctFiles(const Arguments& arguments)
 {
   std::vector<NamedFile> bags;
@@ -68,33 +55,23 @@ void requireDistinctFiles(const Arguments& arguments)
   requireDistinct(bags, outputs);
 }
 
-void printReport(const RunResult& result)
-{
-  std::fputs(reportText(result).c_str(), stdout);
-  requirePrinted();
-}
-
 void writePage(RunPage& page, const Arguments& arguments)
 {
   page.write(arguments.page.path, std::filesystem::path(arguments.bags.front()).filename(), {});
-  std::printf("\nPage: %s\n", arguments.page.path.c_str());
-  requirePrinted();
+  print("\nPage: " + arguments.page.path + "\n");
 }
 
 /// @return the status of the plots
 int writeTablesAndPlots(const RunResult& result, const Arguments& arguments)
 {
   const std::vector<std::string> tables = writeTables(result, arguments.directory);
-  std::puts("\nTables and plots:");
-  for (const std::string& path : tables)
-    std::puts(path.c_str());
-  requirePrinted();
+  print(fmt::format("\nTables and plots:\n{}\n", fmt::join(tables, "\n")));
   return plotTables("ratchet_sieve.plots.analysis", {arguments.directory});
 }
 
 int analyze(const Arguments& arguments)
 {
-  requireDistinctFiles(arguments);
+  orRefuse<SameFileError>([&] { requireDistinctFiles(arguments); });
   std::signal(SIGPIPE, SIG_IGN);  // where nobody reads its text, the files are written all the same
   std::unique_ptr<AtomicFile> summary;
   if (!arguments.summary.empty())
@@ -112,7 +89,7 @@ int analyze(const Arguments& arguments)
           summary->stream() << reportJson(result).dump(2, ' ', false, REPLACE) << '\n';
           summary->commit();
         });
-  outputs.attempt([&] { printReport(result); });
+  outputs.attempt([&] { print(reportText(result)); });
   if (page)
     outputs.attempt([&] { writePage(*page, arguments); });
   if (!arguments.directory.empty())

@@ -1,5 +1,3 @@
-#include <atomic>
-
 #include <ros/ros.h>
 
 #include "process_start.h"
@@ -39,13 +37,6 @@ constexpr const char* HELP =
     "\n"
     "Exit status: 0 at the end of the scene or if it is stopped; 2 for a bad scene or parameter; 1 for any\n"
     "other failure.\n";
-
-std::atomic<bool> stop{false};
-
-void requestStop(int)
-{
-  stop = true;
-}
 }  // namespace
 
 int main(int argc, char** argv)
@@ -58,6 +49,6 @@ int main(int argc, char** argv)
   // waits for a master, a signal still ends the program at once.
   ros::init(argc, argv, "sieve", ros::init_options::NoSigintHandler);
   const ros::NodeHandle private_node("~");
-  attendSignals(requestStop);
+  attendSignals();
   return runSieve(private_node, stop);
 }

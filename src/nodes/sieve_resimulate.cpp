@@ -46,12 +46,12 @@ int resimulate(const std::vector<std::string>& bags)
   warnOfVersion(resimulation);
   if (const auto& difference = resimulation.difference())
   {
-    fmt::print("differs: {}\n", *difference);
+    print(fmt::format("differs: {}\n", *difference));
     return FAILED;
   }
-  fmt::print("the same, bit for bit: {} over {:g} s, with {}\n", countText(resimulation.frames(), "frame"),
-             resimulation.time() - resimulation.scene()->start_time,
-             countText(resimulation.commands(), "command"));
+  print(fmt::format(
+      "the same, bit for bit: {} over {:g} s, with {}\n", countText(resimulation.frames(), "frame"),
+      resimulation.time() - resimulation.scene()->start_time, countText(resimulation.commands(), "command")));
   return DONE;
 }
 

@@ -1,18 +1,16 @@
-#include <csignal>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "checkpoint_saver.h"
 #include "command_line.h"
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/recording/checkpoint.h"
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/recording/summary.h"
@@ -26,23 +24,9 @@ namespace
 
 using namespace ratchet_sieve;
 
-volatile std::sig_atomic_t stop_signal = 0;
-
-void onSignal(int signal)
+void warn(const std::string& text)
 {
-  stop_signal = signal;
-}
-
-Scene loadScene(const RunArguments& arguments)
-{
-  try
-  {
-    return loadSceneFile(arguments.scene, arguments.allOverrides());
-  }
-  catch (const SceneError& error)
-  {
-    throw Refusal(error.what());
-  }
+  std::fprintf(stderr, "sieve_run: warning: %s\n", text.c_str());
 }
 
 /// @throws std::runtime_error if a signal stops the pour
@@ -51,60 +35,35 @@ Simulation makeSimulation(const SceneDefinition& scene, const std::string& path)
   ProgressBar bar;
   const auto observer = [&bar](std::size_t poured, std::size_t of)
   {
-    if (stop_signal != 0)
+    if (stop)
       throw std::runtime_error("stopped when " + std::to_string(poured) + " of " + countText(of, "disk") +
                                " were poured; nothing was written");
     bar.show(poured, of);
   };
-  try
-  {
-    return Simulation(scene, 0.0, observer);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    throw Refusal(path + ": " + error.what());
-  }
+  return orRefuse<std::invalid_argument>([&] { return Simulation(scene, 0.0, observer); }, path + ": ");
 }
 
-Checkpoint resume(const SceneDefinition& scene, const std::string& path)
+/// Has a run saved periodically. A full disk does not end it, but causes a warning.
+/// @param failure why the last checkpoint was not saved, or empty; outlives the run
+void saveInto(const std::string& path, const Simulation& simulation, const RunProgress& progress,
+              RunWatchers& watchers, std::string& failure)
 {
-  try
+  // The start is saved, so that a bad path is an error before any work is done.
+  orRefuse<OutputError>([&] { writeCheckpoint(path, simulation, progress); });
+  watchers.save = [&path, &failure](const Simulation& now, const RunProgress& so_far)
   {
-    return readCheckpoint(path, scene);
-  }
-  catch (const CheckpointError& error)
-  {
-    throw Refusal(error.what());
-  }
-}
-
-/// Called before the pour, which may take long.
-void requireWritable(const std::string& path)
-{
-  try
-  {
-    if (!path.empty())
-      AtomicFile probe(path);
-  }
-  catch (const OutputError& error)
-  {
-    throw Refusal(error.what());
-  }
-}
-
-std::unique_ptr<CheckpointSaver> makeSaver(const RunArguments& arguments, const Simulation& simulation,
-                                           const RunProgress& progress)
-{
-  if (arguments.checkpoint.empty())
-    return nullptr;
-  try
-  {
-    return std::make_unique<CheckpointSaver>(arguments.checkpoint, simulation, progress);
-  }
-  catch (const OutputError& error)
-  {
-    throw Refusal(error.what());
-  }
+    const std::string before = std::exchange(failure, "");
+    try
+    {
+      writeCheckpoint(path, now, so_far);
+    }
+    catch (const OutputError& error)
+    {
+      failure = error.what();
+      if (failure != before)
+        warn(failure);
+    }
+  };
 }
 
 Checkpoint begin(const SceneDefinition& scene, const std::string& path)
@@ -119,7 +78,7 @@ void announce(const Scene& scene)
   std::fprintf(stderr, "sieve_run: plan: %s\n", planText(planOf(scene.definition)).c_str());
   std::fprintf(stderr, "sieve_run: %s\n", sizeText(scene.definition).c_str());
   for (const std::string& warning : scene.warnings)
-    std::fprintf(stderr, "sieve_run: warning: %s\n", warning.c_str());
+    warn(warning);
 }
 
 void requireFloorToCheck(const RunArguments& arguments, const SceneDefinition& scene)
@@ -132,7 +91,7 @@ void requireFloorToCheck(const RunArguments& arguments, const SceneDefinition& s
 /// @return false if it was stopped
 bool checkFloor(const SceneDefinition& scene, nlohmann::ordered_json& summary)
 {
-  const nlohmann::ordered_json runs = floorCheck(scene, summary, [] { return stop_signal != 0; });
+  const nlohmann::ordered_json runs = floorCheck(scene, summary, [] { return stop.load(); });
   summary["floor_check"] = runs;
   if (runs.is_null())
     std::fputs("sieve_run: the check of contact.min_rebound_speed was stopped\n", stderr);
@@ -147,30 +106,33 @@ int run(const RunArguments& arguments)
   // CLI11 would give the PART of --keys to a required SCENE.
   if (arguments.scene.empty())
     throw Refusal("SCENE is required; see --help");
-  const Scene scene = loadScene(arguments);
+  const Scene scene =
+      orRefuse<SceneError>([&] { return loadSceneFile(arguments.scene, arguments.overrides); });
   requireFloorToCheck(arguments, scene.definition);
-  attendSignals(onSignal);
+  attendSignals();
   // All checks that can refuse the run come before its first output. The pour refuses nothing and may take
   // long, so it comes last.
   const bool pours = arguments.resume.empty() && scene.definition.initial.empty();
   std::optional<Checkpoint> start;
   if (!pours)
-    start = arguments.resume.empty() ? begin(scene.definition, arguments.scene)
-                                     : resume(scene.definition, arguments.resume);
+    start =
+        arguments.resume.empty()
+            ? begin(scene.definition, arguments.scene)
+            : orRefuse<CheckpointError>([&] { return readCheckpoint(arguments.resume, scene.definition); });
   RunOutputs outputs(arguments, scene.feed_file);
-  requireWritable(arguments.checkpoint);
+  if (!arguments.checkpoint.empty())  // before the pour, which may take long
+    orRefuse<OutputError>([&] { AtomicFile probe(arguments.checkpoint); });
   announce(scene);
   if (pours)
     start = begin(scene.definition, arguments.scene);
   auto& [so_far, simulation] = *start;
   simulation.setThreads(arguments.threads);
-  const std::unique_ptr<CheckpointSaver> saver = makeSaver(arguments, simulation, so_far);
   RunWatchers watchers;
+  std::string not_saved;
+  if (!arguments.checkpoint.empty())
+    saveInto(arguments.checkpoint, simulation, so_far, watchers, not_saved);
   outputs.watch(simulation, watchers);
-  watchers.stop_wanted = [] { return stop_signal != 0; };
-  if (saver)
-    watchers.save = [&saver](const Simulation& now, const RunProgress& progress)
-    { saver->save(now, progress); };
+  watchers.stop_wanted = [] { return stop.load(); };
   watchers.save_period = arguments.checkpoint_every;
   RunOutcome outcome;
   {
@@ -179,14 +141,13 @@ int run(const RunArguments& arguments)
     outcome = runToEnd(simulation, watchers, so_far);
   }
   for (const std::string& warning : outcome.warnings)
-    std::fprintf(stderr, "sieve_run: warning: %s\n", warning.c_str());
+    warn(warning);
   outcome.warnings.insert(outcome.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
-  const bool all_saved = !saver || saver->saved();
   const bool through = outcome.end != RunEnd::STOPPED && outcome.end != RunEnd::STALLED;
   nlohmann::ordered_json summary = summarize(simulation, outcome);
   const bool checked = !arguments.check_floor || !through || checkFloor(scene.definition, summary);
   const bool complete = outputs.finish(summary, outcome.warnings);
-  return through && all_saved && checked && complete ? DONE : FAILED;
+  return through && not_saved.empty() && checked && complete ? DONE : FAILED;
 }
 
 }  // namespace

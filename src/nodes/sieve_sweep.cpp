@@ -4,16 +4,18 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "case_pages.h"
 #include "command_line.h"
 #include "python_plots.h"
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/page/sweep_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/progress_bar.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
@@ -26,13 +28,6 @@ using namespace ratchet_sieve;
 
 /// More cases than this are likely a mistake, and need --yes.
 constexpr std::uint64_t MANY_CASES = 1'000'000;
-
-volatile std::sig_atomic_t stop_signal = 0;
-
-void onSignal(int signal)
-{
-  stop_signal = signal;
-}
 
 /// Checks that the outputs of a subcommand are none of the sweep's files, nor its results, which `run` and
 /// `merge` alone write.
@@ -83,6 +78,38 @@ int listOnly(const Sweep& sweep, const SweepArguments& arguments)
   return DONE;
 }
 
+void makeFolder(const std::string& path)
+{
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error)
+    throw OutputError(path + ": cannot be made: " + error.message());
+}
+
+std::string titleOf(const std::string& sweep, const SweepCase& sweep_case)
+{
+  std::string title = sweep + ':';
+  for (const auto& [key, value] : sweep_case.values)
+    if (value)
+      title += ' ' + key + '=' + *value;
+  return title + " seed=" + std::to_string(sweep_case.scene.seed);
+}
+
+/// Keeps the page of each case as RUN_HASH.html in a folder, which is made. @throws OutputError
+OpenRecord casePages(const PageArguments& arguments, const std::string& sweep)
+{
+  makeFolder(arguments.path);
+  AtomicFile probe(arguments.path + "/probe");
+  return [folder = arguments.path, bytes = arguments.bytes(), sweep](const SweepCase& sweep_case)
+  {
+    auto page = std::make_unique<RunPage>(bytes);
+    const std::string path = folder + '/' + runHash(sweep_case.scene) + ".html";
+    const auto keep = [&run = *page, path, title = titleOf(sweep, sweep_case)](
+                          const std::vector<std::string>& warnings) { run.write(path, title, warnings); };
+    return CaseRecord{std::move(page), pageRates(PAGE_RATE), keep};
+  };
+}
+
 int run(const Sweep& sweep, SweepArguments& arguments)
 {
   requireFewOrYes(sweep, arguments);
@@ -90,8 +117,8 @@ int run(const Sweep& sweep, SweepArguments& arguments)
     return listOnly(sweep, arguments);
   if (arguments.pages.isWanted())
     arguments.options.record = casePages(arguments.pages, arguments.name());
-  attendSignals(onSignal);
-  arguments.options.stop_wanted = [] { return stop_signal != 0; };
+  attendSignals();
+  arguments.options.stop_wanted = [] { return stop.load(); };
   arguments.options.warn = warn;
   SweepOutcome outcome;
   {
@@ -114,15 +141,7 @@ int run(const Sweep& sweep, SweepArguments& arguments)
 
 int merge(const Sweep& sweep, const SweepArguments& arguments)
 {
-  LegalCases cases;
-  try
-  {
-    cases = requireMergeable(sweep, arguments.parts);
-  }
-  catch (const DatabaseError& error)
-  {
-    throw Refusal(error.what());
-  }
+  const LegalCases cases = orRefuse<DatabaseError>([&] { return requireMergeable(sweep, arguments.parts); });
   mergeResults(sweep, cases, arguments.results, arguments.parts);
   std::fputs(statusText(sweep, arguments.results).c_str(), stderr);
   return DONE;
@@ -162,10 +181,7 @@ int report(const Sweep& sweep, SweepArguments& arguments)
 {
   if (arguments.pages.path.empty())
     arguments.pages.path = arguments.beside("_runs");
-  std::error_code error;
-  std::filesystem::create_directories(arguments.out, error);
-  if (error)
-    throw OutputError(arguments.out + ": cannot be made: " + error.message());
+  makeFolder(arguments.out);
   AtomicFile table(arguments.out + "/cases.csv");
   exportCsv(sweep, arguments.results, table.stream());
   table.commit();
@@ -174,7 +190,7 @@ int report(const Sweep& sweep, SweepArguments& arguments)
                         .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
                  << '\n';
   basis.commit();
-  std::signal(SIGINT, onSignal);  // ends Python, which says so
+  std::signal(SIGINT, requestStop);  // ends Python, which says so
   const int status = plotTables("ratchet_sieve.plots.sweep", arguments.plotOptions());
   if (status != DONE)
     return status;
@@ -182,7 +198,7 @@ int report(const Sweep& sweep, SweepArguments& arguments)
   std::ifstream file(arguments.out + "/report.json");
   const auto data = nlohmann::ordered_json::parse(file);
   writeSweepPage(page, data);
-  std::printf("%s\n", page.c_str());
+  print(page + "\n");
   for (const auto& line : data.at("findings"))
     std::fprintf(stderr, "%s\n", line.get<std::string>().c_str());
   return DONE;
@@ -192,30 +208,23 @@ int dispatch(const CLI::App& app, SweepArguments& arguments)
 {
   if (arguments.results.empty())
     arguments.results = arguments.ownResults();
-  try
-  {
-    Sweep sweep = loadSweep(arguments.sweep);
-    sweep.part = arguments.part.value_or(SweepPart());
-    if (app.got_subcommand("report") && arguments.out.empty())
-      arguments.out = arguments.beside("_report");
-    if (arguments.results == IN_MEMORY)
-      throw Refusal(std::string("--db ") + IN_MEMORY + ": must be a file");
-    requireDistinctFiles(app, sweep, arguments);
-    if (app.got_subcommand("run"))
-      return run(sweep, arguments);
-    if (app.got_subcommand("merge"))
-      return merge(sweep, arguments);
-    if (app.got_subcommand("export"))
-      return exportResults(sweep, arguments);
-    if (app.got_subcommand("report"))
-      return report(sweep, arguments);
-    std::fputs(statusText(sweep, arguments.results).c_str(), stdout);
-    return DONE;
-  }
-  catch (const SceneError& error)
-  {
-    throw Refusal(error.what());
-  }
+  Sweep sweep = loadSweep(arguments.sweep);
+  sweep.part = arguments.part.value_or(SweepPart());
+  if (app.got_subcommand("report") && arguments.out.empty())
+    arguments.out = arguments.beside("_report");
+  if (arguments.results == IN_MEMORY)
+    throw Refusal(std::string("--db ") + IN_MEMORY + ": must be a file");
+  orRefuse<SameFileError>([&] { requireDistinctFiles(app, sweep, arguments); });
+  if (app.got_subcommand("run"))
+    return run(sweep, arguments);
+  if (app.got_subcommand("merge"))
+    return merge(sweep, arguments);
+  if (app.got_subcommand("export"))
+    return exportResults(sweep, arguments);
+  if (app.got_subcommand("report"))
+    return report(sweep, arguments);
+  print(statusText(sweep, arguments.results));
+  return DONE;
 }
 
 }  // namespace
@@ -225,5 +234,6 @@ int main(int argc, char** argv)
   SweepArguments arguments;
   CLI::App app("Run many cases of one scene and keep the results in one file.", "sieve_sweep");
   describe(app, arguments);
-  return runProgram(app, argc, argv, [&] { return dispatch(app, arguments); });
+  return runProgram(app, argc, argv,
+                    [&] { return orRefuse<SceneError>([&] { return dispatch(app, arguments); }); });
 }

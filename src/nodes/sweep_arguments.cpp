@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "command_line.h"
 #include "ratchet_sieve/scene/parsed.h"
 
 namespace ratchet_sieve
@@ -80,7 +81,7 @@ void describeRun(CLI::App& run, SweepArguments& arguments)
   run.add_option("--checkpoint-every", arguments.options.checkpoint_period,
                  "Period at which a running case is saved [s of wall time]")
       ->type_name("S")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(within(0.0, 1e9, "s"))
       ->capture_default_str();
   describePart(run, arguments);
   describePages(run, arguments);

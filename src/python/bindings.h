@@ -13,7 +13,6 @@ void bindScene(pybind11::module_& module);
 void bindSimulation(pybind11::module_& module);
 void bindControl(pybind11::module_& module);
 void bindRun(pybind11::module_& module);
-void bindSweep(pybind11::module_& module);
 void bindFrames(pybind11::module_& module);
 
 /// Warns (SieveWarning). @pre Python's lock is held @throws what a filter of warnings makes of it

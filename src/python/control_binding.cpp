@@ -2,8 +2,8 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <exception>
 #include <functional>
+#include <future>
 #include <limits>
 #include <map>
 #include <memory>
@@ -90,27 +90,13 @@ void writeVelocities(const std::vector<DiskState>& before, const std::vector<Dis
                                            : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A table with a row for each simulation.
-class Table
+/// A table of zeros. It is filled without Python's lock.
+Doubles table(const std::vector<std::size_t>& shape)
 {
-public:
-  /// @param shape of a row
-  Table(std::size_t rows, std::vector<std::size_t> shape) : shape_(std::move(shape))
-  {
-    for (const std::size_t size : shape_)
-      row_size_ *= size;
-    shape_.insert(shape_.begin(), rows);
-    numbers_.resize(rows * row_size_);
-  }
-
-  double* row(std::size_t k) { return numbers_.data() + k * row_size_; }
-  py::array array() const { return py::array_t<double>(shape_, numbers_.data()); }
-
-private:
-  std::vector<std::size_t> shape_;
-  std::size_t row_size_ = 1;
-  std::vector<double> numbers_;
-};
+  Doubles zeros(shape);
+  std::fill_n(zeros.mutable_data(), zeros.size(), 0.0);
+  return zeros;
+}
 
 /// What is read of each simulation at the end of a step.
 struct Readings
@@ -118,11 +104,11 @@ struct Readings
   Readings(std::size_t rows, std::size_t species_count, std::size_t cell_count)
       : species(species_count),
         cells(cell_count),
-        time(rows, {}),
-        bins(rows, {species, fieldNames<SpeciesBins>().size()}),
-        base(rows, {fieldNames<DriveState>().size()}),
-        mean_vx(rows, {species}),
-        histogram(rows, {species, cells})
+        time(table({rows})),
+        bins(table({rows, species, fieldNames<SpeciesBins>().size()})),
+        base(table({rows, fieldNames<DriveState>().size()})),
+        mean_vx(table({rows, species})),
+        histogram(table({rows, species, cells}))
   {
   }
 
@@ -146,19 +132,19 @@ struct Readings
     RunningSimulation::Use simulation(running);
     const std::vector<DiskState> disks = simulation->disks();
     const DriveState drive = simulation->base();
-    *time.row(row) = simulation->time();
-    double* to = bins.row(row);
+    *time.mutable_data(row) = simulation->time();
+    double* to = bins.mutable_data(row);
     for (const SpeciesBins& of_species : simulation->bins())
       to = writeFields(of_species, to);
-    writeFields(drive, base.row(row));
-    writeVelocities(before, disks, simulation->time() - start, species, mean_vx.row(row));
-    writeHistogram(disks, drive, simulation->scene().base.width(), cells, histogram.row(row));
+    writeFields(drive, base.mutable_data(row));
+    writeVelocities(before, disks, simulation->time() - start, species, mean_vx.mutable_data(row));
+    writeHistogram(disks, drive, simulation->scene().base.width(), cells, histogram.mutable_data(row));
     return collapse;
   }
 
   std::size_t species;
   std::size_t cells;
-  Table time, bins, base, mean_vx, histogram;
+  Doubles time, bins, base, mean_vx, histogram;  ///< with a row for each simulation
 };
 
 /// Does a job for each k below `count` on several threads, each of which takes the next one until none is
@@ -169,30 +155,29 @@ void shareOut(std::size_t count, std::size_t threads,
               const std::function<void(std::size_t k, const StopWanted& stop_wanted)>& job)
 {
   threads = std::min(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency()), count);
-  std::vector<std::exception_ptr> errors(count);
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stop{false};
   const auto work = [&](const StopWanted& stop_wanted)
   {
-    for (std::size_t k = next++; k < count; k = next++)
-      try
-      {
+    try
+    {
+      for (std::size_t k = next++; k < count; k = next++)
         job(k, stop_wanted);
-      }
-      catch (...)
-      {
-        errors[k] = std::current_exception();
-        stop = true;
-      }
+    }
+    catch (...)
+    {
+      stop = true;
+      throw;
+    }
   };
   SignalWatch signals;
-  std::vector<std::thread> others;
+  std::vector<std::future<void>> others;
   {
     const py::gil_scoped_release let_go;
     try
     {
       while (others.size() + 1 < threads)
-        others.emplace_back(work, [&] { return stop.load(); });
+        others.push_back(std::async(std::launch::async, work, [&] { return stop.load(); }));
     }
     catch (const std::system_error&)
     {
@@ -206,13 +191,10 @@ void shareOut(std::size_t count, std::size_t threads,
             stop = true;
           return stop.load();
         });
-    for (std::thread& other : others)
-      other.join();
+    for (std::future<void>& other : others)
+      other.get();
   }
   signals.raise();
-  for (const std::exception_ptr& error : errors)
-    if (error)
-      std::rethrow_exception(error);
   if (others.size() + 1 < threads)
     warnPython(fewerThreadsText(others.size() + 1, threads));
 }
@@ -242,11 +224,11 @@ py::tuple stepMany(const std::vector<std::shared_ptr<RunningSimulation>>& simula
   for (const std::string& text : collapses)
     texts.append(text.empty() ? py::object(py::none()) : py::str(text));
   py::dict columns;
-  columns["time"] = readings.time.array();
-  columns["bins"] = readings.bins.array();
-  columns["base"] = readings.base.array();
-  columns["mean_vx"] = readings.mean_vx.array();
-  columns["histogram"] = readings.histogram.array();
+  columns["time"] = readings.time;
+  columns["bins"] = readings.bins;
+  columns["base"] = readings.base;
+  columns["mean_vx"] = readings.mean_vx;
+  columns["histogram"] = readings.histogram;
   return py::make_tuple(columns, texts);
 }
 
@@ -273,6 +255,7 @@ void bindControl(py::module_& module)
   }
   module.attr("COMMANDED_QUANTITIES") = py::tuple(quantities);
   module.attr("BIN_FIELDS") = py::tuple(py::cast(fieldNames<SpeciesBins>()));
+  module.attr("DISK_FIELDS") = py::tuple(py::cast(fieldNames<DiskState>()));
   module.attr("BASE_FIELDS") = py::tuple(py::cast(fieldNames<DriveState>()));
   module.def("step_many", &stepMany, py::arg("simulations"), py::arg("names"), py::arg("setpoints"),
              py::arg("times"), py::arg("cells"), py::arg("threads"));

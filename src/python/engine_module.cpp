@@ -88,6 +88,5 @@ PYBIND11_MODULE(_engine, module)
   bindSimulation(module);
   bindControl(module);
   bindRun(module);
-  bindSweep(module);
   bindFrames(module);
 }

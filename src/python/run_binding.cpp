@@ -1,8 +1,11 @@
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -14,6 +17,8 @@
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/summary.h"
+#include "ratchet_sieve/sweep/sweep.h"
+#include "ratchet_sieve/sweep/sweep_run.h"
 #include "running_simulation.h"
 #include "to_python.h"
 
@@ -42,12 +47,7 @@ public:
     else if (const auto* base = frame.as<BaseFrame>())
       bases_.append(py::make_tuple(base->time, fieldsOf(base->base)));
     else if (const auto* bins = frame.as<BinFrame>())
-    {
-      py::list species;
-      for (const SpeciesBins& of_species : bins->bins)
-        species.append(fieldsOf(of_species));
-      bins_.append(py::make_tuple(bins->time, species));
-    }
+      bins_.append(py::make_tuple(bins->time, fieldToPython(bins->bins)));
     else if (const auto* statistics = frame.as<StatisticsFrame>())
       others_.append(*statistics);
     else if (const auto* observed = frame.as<ObservedFrame>())
@@ -105,26 +105,16 @@ py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, st
   RunWatchers watchers;
   if (frame_rate > 0.0)
     watchers.frames = {{&frames, {frame_rate, frame_rate, frame_rate, FrameRates().statistics, 0.0}}};
-  bool failed = false;
   Clock::time_point next;
   if (!progress.is_none())
     watchers.progress = [&](const Simulation& now)
     {
-      if (failed || Clock::now() < next)
+      if (Clock::now() < next)
         return;
       next = Clock::now() + PROGRESS_PERIOD;
-      const py::gil_scoped_acquire held;
-      try
-      {
-        progress(now.time());
-      }
-      catch (py::error_already_set& error)
-      {
-        error.restore();
-        failed = true;
-      }
+      signals.call(progress, now.time());
     };
-  watchers.stop_wanted = [&] { return failed || signals.stopWanted(); };
+  watchers.stop_wanted = [&] { return signals.stopWanted(); };
   {
     const py::gil_scoped_release let_go;
     const ThreadsOfRun of_run(*simulation, threads);
@@ -136,8 +126,6 @@ py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, st
     simulation->observeExits({});
   }
   signals.raise();
-  if (failed)
-    throw py::error_already_set();
   const nlohmann::ordered_json summary = summarize(*simulation, outcome);
   return py::make_tuple(toPython(summary), frames.lists(),
                         collisions ? py::object(arrayOf(*records)) : py::none(), arrayOf(*exits));
@@ -153,6 +141,38 @@ std::optional<double> separation(const std::vector<std::pair<std::uint64_t, std:
   return bestSeparation(bins).separation;
 }
 
+/// Runs the cases of a sweep that have no result in the file.
+/// @param text of a sweep file @param progress called with the numbers of cases: done, failed, all; or None
+/// @return the sweep's fingerprint, by which the results file knows its cases
+std::string sweep(const std::string& text, const std::string& source, const std::string& results,
+                  std::size_t threads, const py::object& progress)
+{
+  const Sweep sweep = sweepFromText(text, source);
+  SignalWatch signals;
+  std::atomic<bool> stop{false};
+  const std::thread::id caller = std::this_thread::get_id();
+  SweepRunOptions options;
+  options.threads = threads;
+  options.stop_wanted = [&]
+  {
+    if (std::this_thread::get_id() == caller && signals.stopWanted())
+      stop = true;
+    return stop.load();
+  };
+  if (!progress.is_none())
+    options.progress = [&](const SweepProgress& now)
+    { signals.call(progress, now.done, now.failed, now.cases); };
+  SweepOutcome outcome;
+  {
+    const py::gil_scoped_release let_go;
+    outcome = runSweep(sweep, results, options);
+  }
+  signals.raise();
+  if (outcome.threads < outcome.threads_wanted)
+    warnPython(fewerThreadsText(outcome.threads, outcome.threads_wanted));
+  return sweep.fingerprint();
+}
+
 }  // namespace
 
 void bindRun(py::module_& module)
@@ -160,6 +180,8 @@ void bindRun(py::module_& module)
   module.def("separation", &separation, py::arg("counts"));
   module.def("run", &run, py::arg("simulation"), py::arg("frame_rate"), py::arg("collisions"),
              py::arg("threads"), py::arg("progress"));
+  module.def("sweep", &sweep, py::arg("text"), py::arg("source"), py::arg("results"), py::arg("threads"),
+             py::arg("progress"));
   py::list kinds;
   for (const CollisionKind kind :
        {CollisionKind::DISK_DISK, CollisionKind::LEFT_SLOPE, CollisionKind::RIGHT_SLOPE, CollisionKind::APEX,

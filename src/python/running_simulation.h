@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include <pybind11/pybind11.h>
+
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/stride.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -16,14 +18,34 @@ namespace ratchet_sieve
 {
 
 /// Asks Python whether a signal, such as Ctrl-C, wants the caller to stop. Python acts on signals in its main
-/// thread alone.
+/// thread alone. Used by the thread that made it.
 class SignalWatch
 {
 public:
   /// At most fifty times a second, because it takes Python's lock. @pre that lock is not held
   bool stopWanted();
 
-  /// Raises the error of the signal's handler, if there is one. @pre Python's lock is held
+  /// Calls a function of Python. Where it raises, the caller is to stop; then it is not called again. @pre
+  /// that lock is not held
+  template <typename... Arguments>
+  void call(const pybind11::object& function, const Arguments&... arguments)
+  {
+    if (stop_wanted_)
+      return;
+    const pybind11::gil_scoped_acquire held;
+    try
+    {
+      function(arguments...);
+    }
+    catch (pybind11::error_already_set& error)
+    {
+      error.restore();
+      stop_wanted_ = true;
+    }
+  }
+
+  /// Raises the error of the signal's handler or of such a function, if there is one. @pre Python's lock is
+  /// held
   void raise() const;
 
 private:

@@ -1,8 +1,8 @@
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <pybind11/pybind11.h>
@@ -55,21 +55,15 @@ py::array recordedDisks(const Scene& scene, const std::map<std::string, py::arra
   std::vector<DiskState> disks(static_cast<std::size_t>(size));
   for (py::ssize_t k = 0; k < size; ++k)
   {
-    const auto value = [&columns, k](const char* name) { return columns.at(name).at(k); };
     DiskState& disk = disks[static_cast<std::size_t>(k)];
-    disk.id = static_cast<std::uint32_t>(value("id"));
-    disk.species = static_cast<std::uint32_t>(value("species"));
+    const auto set = [&columns, k](const FieldInfo& field, auto& value)
+    {
+      if (const auto& column = columns.at(field.name); column.size() != 0)
+        value = static_cast<std::decay_t<decltype(value)>>(column.at(k));
+    };
+    Fields<DiskState>::each(set, disk);
     if (disk.species >= scene.definition.species.size())
       throw std::invalid_argument("the scene has no species " + std::to_string(disk.species));
-    disk.x = value("x");
-    disk.y = value("y");
-    disk.angle = value("angle");
-    disk.vx = value("vx");
-    disk.vy = value("vy");
-    disk.spin = value("spin");
-    disk.displacement = value("displacement");
-    if (columns.at("radius").size() != 0)
-      disk.radius = value("radius");
   }
   return arrayOf(disks, scene.definition);
 }

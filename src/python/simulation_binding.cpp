@@ -1,4 +1,4 @@
-#include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -20,14 +20,14 @@ namespace
 
 namespace py = pybind11;
 
-/// Calls `use` with the simulation.
-template <typename Result>
-auto read(Result (*use)(Simulation&))
+/// Calls `use` with the simulation. @param use a function of it or one of its own
+template <typename Use>
+auto read(Use use)
 {
   return [use](RunningSimulation& running)
   {
     RunningSimulation::Use simulation(running);
-    return use(*simulation);
+    return std::invoke(use, *simulation);
   };
 }
 
@@ -62,14 +62,6 @@ std::shared_ptr<RunningSimulation> restore(const std::shared_ptr<Scene>& scene, 
   return std::make_shared<RunningSimulation>(scene, std::string_view(state));
 }
 
-py::list bins(Simulation& simulation)
-{
-  py::list list;
-  for (const SpeciesBins& of_species : simulation.bins())
-    list.append(fieldsOf(of_species));
-  return list;
-}
-
 /// What a summary says of a run so far. A part of it is known at the end of runToEnd() alone.
 py::object summary(Simulation& simulation)
 {
@@ -93,15 +85,14 @@ void bindSimulation(py::module_& module)
            py::arg("amplitude"))
       .def("pour", &RunningSimulation::pour, py::arg("species"), py::arg("count"))
       .def("disks", &disks)
-      .def("time", read<double>([](Simulation& simulation) { return simulation.time(); }))
-      .def("active_disks", read<std::size_t>([](Simulation& simulation) { return simulation.activeDisks(); }))
-      .def("events", read<std::uint64_t>([](Simulation& simulation) { return simulation.events(); }))
-      .def("energy", read<double>([](Simulation& simulation) { return simulation.energy(); }))
-      .def("base", read<py::dict>([](Simulation& simulation) { return fieldsOf(simulation.base()); }))
-      .def("collisions",
-           read<py::dict>([](Simulation& simulation) { return fieldsOf(simulation.collisions()); }))
-      .def("bins", read<py::list>(&bins))
-      .def("summary", read<py::object>(&summary));
+      .def("time", read(&Simulation::time))
+      .def("active_disks", read(&Simulation::activeDisks))
+      .def("events", read(&Simulation::events))
+      .def("energy", read(&Simulation::energy))
+      .def("base", read([](Simulation& simulation) { return fieldsOf(simulation.base()); }))
+      .def("collisions", read([](Simulation& simulation) { return fieldsOf(simulation.collisions()); }))
+      .def("bins", read([](Simulation& simulation) { return fieldToPython(simulation.bins()); }))
+      .def("summary", read(&summary));
 }
 
 }  // namespace ratchet_sieve

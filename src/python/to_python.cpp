@@ -71,31 +71,7 @@ py::object scalarToPython(const YAML::Node& node)
 
 py::object toPython(const nlohmann::ordered_json& json)
 {
-  if (json.is_object())
-  {
-    py::dict dict;
-    for (const auto& item : json.items())
-      dict[py::str(item.key())] = toPython(item.value());
-    return dict;
-  }
-  if (json.is_array())
-  {
-    py::list list;
-    for (const auto& item : json)
-      list.append(toPython(item));
-    return list;
-  }
-  if (json.is_boolean())
-    return py::bool_(json.get<bool>());
-  if (json.is_number_unsigned())
-    return py::int_(json.get<std::uint64_t>());
-  if (json.is_number_integer())
-    return py::int_(json.get<std::int64_t>());
-  if (json.is_number())
-    return py::float_(json.get<double>());
-  if (json.is_string())
-    return py::str(json.get<std::string>());
-  return py::none();
+  return py::module_::import("json").attr("loads")(json.dump());
 }
 
 py::object toPython(const YAML::Node& node, bool is_name)

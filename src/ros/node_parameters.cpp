@@ -79,34 +79,33 @@ double readMount(ParameterReader& reader, const char* axis)
 double ParameterReader::number(const std::string& name, double fallback, double least, double most)
 {
   XmlRpc::XmlRpcValue value;
-  asked_.insert(name);
-  if (!node_.getParam(name, value))
-    return fallback;
-  return numberFrom(node_.resolveName(name), value, least, most);
+  return isSet(name, value) ? numberFrom(fullName(name), value, least, most) : fallback;
 }
 
 std::size_t ParameterReader::count(const std::string& name, std::size_t fallback, std::size_t most)
 {
-  XmlRpc::XmlRpcValue value;
-  asked_.insert(name);
-  if (!node_.getParam(name, value))
-    return fallback;
-  const int number = value.getType() == XmlRpc::XmlRpcValue::TypeInt ? static_cast<int&>(value) : -1;
+  const std::string allowed = "a whole number from 0 to " + std::to_string(most);
+  const int number = read(name, static_cast<int>(fallback), XmlRpc::XmlRpcValue::TypeInt, allowed);
   if (number < 0 || static_cast<std::size_t>(number) > most)
-    refuse(node_.resolveName(name), value, "a whole number from 0 to " + std::to_string(most));
+    refuse(fullName(name), number, allowed);
   return static_cast<std::size_t>(number);
+}
+
+bool ParameterReader::isSet(const std::string& name, XmlRpc::XmlRpcValue& value)
+{
+  asked_.insert(name);
+  return node_.getParam(name, value);
 }
 
 template <typename T>
 T ParameterReader::read(const std::string& name, const T& fallback, XmlRpc::XmlRpcValue::Type type,
-                        const char* allowed)
+                        const std::string& allowed)
 {
   XmlRpc::XmlRpcValue value;
-  asked_.insert(name);
-  if (!node_.getParam(name, value))
+  if (!isSet(name, value))
     return fallback;
   if (value.getType() != type)
-    refuse(node_.resolveName(name), value, allowed);
+    refuse(fullName(name), value, allowed);
   return static_cast<T&>(value);
 }
 

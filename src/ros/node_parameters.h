@@ -52,8 +52,10 @@ public:
   std::set<std::string> unknown(const std::set<std::string>& ignored) const;
 
 private:
+  bool isSet(const std::string& name, XmlRpc::XmlRpcValue& value);
   template <typename T>
-  T read(const std::string& name, const T& fallback, XmlRpc::XmlRpcValue::Type type, const char* allowed);
+  T read(const std::string& name, const T& fallback, XmlRpc::XmlRpcValue::Type type,
+         const std::string& allowed);
 
   ros::NodeHandle node_;
   std::set<std::string> asked_;

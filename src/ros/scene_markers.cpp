@@ -24,6 +24,16 @@ constexpr std::array<Rgb, 8> PALETTE = {Rgb{0.000f, 0.447f, 0.698f}, Rgb{0.835f,
                                         Rgb{0.800f, 0.475f, 0.655f}, Rgb{0.337f, 0.706f, 0.914f},
                                         Rgb{0.941f, 0.894f, 0.259f}, Rgb{0.200f, 0.200f, 0.200f}};
 
+std_msgs::ColorRGBA opaque(const Rgb& rgb)
+{
+  std_msgs::ColorRGBA color;
+  color.r = rgb[0];
+  color.g = rgb[1];
+  color.b = rgb[2];
+  color.a = 1.0f;
+  return color;
+}
+
 constexpr double LINE_HEIGHT = 1.5;  // in letters
 
 /// Proportions of the decoration, in widths of the base.
@@ -186,23 +196,14 @@ void addBin(const SceneDefinition& scene, const BinFrame& frame, const BinPlace&
 }
 }  // namespace
 
-std_msgs::ColorRGBA speciesColor(std::size_t species, float opacity)
+std_msgs::ColorRGBA speciesColor(std::size_t species)
 {
-  const Rgb& rgb = PALETTE[species % PALETTE.size()];
-  std_msgs::ColorRGBA color;
-  color.r = rgb[0];
-  color.g = rgb[1];
-  color.b = rgb[2];
-  color.a = opacity;
-  return color;
+  return opaque(PALETTE[species % PALETTE.size()]);
 }
 
-std_msgs::ColorRGBA grey(float brightness, float opacity)
+std_msgs::ColorRGBA grey(float brightness)
 {
-  std_msgs::ColorRGBA color;
-  color.r = color.g = color.b = brightness;
-  color.a = opacity;
-  return color;
+  return opaque({brightness, brightness, brightness});
 }
 
 void addLines(double time, const TextPlace& place, double letter, const std::vector<Line>& lines,

@@ -37,9 +37,9 @@ double captionHeight(const SceneDefinition& scene, double inclination);
 visualization_msgs::MarkerArray captionMarkers(const Picture& picture);
 
 /// A colour for each species, distinguishable with colour blindness (Okabe & Ito); repeated after eight.
-std_msgs::ColorRGBA speciesColor(std::size_t species, float opacity = 1.0f);
+std_msgs::ColorRGBA speciesColor(std::size_t species);
 
-std_msgs::ColorRGBA grey(float brightness, float opacity = 1.0f);
+std_msgs::ColorRGBA grey(float brightness);
 
 /// Height of a capital letter, in widths of the base.
 constexpr double LETTER = 0.024;

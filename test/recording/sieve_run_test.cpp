@@ -173,7 +173,7 @@ TEST_F(SieveRun, RefusesBadArguments)
                     ": unknown format of a trajectory; the file's ending must be one of .xyz, "
                     ".extxyz");
   expectRefusal(config("demo.yaml") + " --checkpoint-every -1",
-                "--checkpoint-every: -1: must be 0 s or more; see --help");
+                "--checkpoint-every: -1: must be a number from 0 to 1e+09 s; see --help");
   // The second is a key of accuracy, but none that decides when a run ends.
   for (const char* key : {"speed", "step"})
     expectRefusal(config("demo.yaml") + " --until " + key + "=0.001",

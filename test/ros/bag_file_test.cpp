@@ -67,20 +67,6 @@ TEST(BagFile, isReadByRosbag)
   EXPECT_EQ(readNoise(path).at(1).data, noise(4, 2).data);
 }
 
-TEST(BagFile, holdsWhatIsLargerThanABlock)
-{
-  const ScratchDirectory scratch;
-  const std::string path = scratch / "a.bag";
-  BagFile file(path);
-  for (unsigned k = 1; k <= 3; ++k)
-    file.write("/noise", ros::Time(k, 0), noise(k * 400'000, k));
-  EXPECT_FALSE(file.close());
-  const auto read = readNoise(path);
-  ASSERT_EQ(read.size(), 3u);
-  for (unsigned k = 1; k <= 3; ++k)
-    EXPECT_EQ(read[k - 1].data, noise(k * 400'000, k).data);
-}
-
 /// What is in the file of messages that were written and not closed.
 std::vector<std_msgs::Float64MultiArray> recovered(const std::string& path)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdio>
@@ -61,21 +62,12 @@ public:
 
   pid_t process() const { return process_; }
 
-  /// Reads its standard error until it contains this. @return false if the program ends before
-  bool waitForError(const std::string& text)
-  {
-    while (errors_text_.find(text) == std::string::npos)
-      if (!readErrors())
-        return false;
-    return true;
-  }
-
   /// Waits until it ends. @return its exit status; -1 after a signal
   int wait()
   {
-    while (readErrors())
-    {
-    }
+    std::array<char, 4096> chunk{};
+    while (const auto got = std::max<ssize_t>(read(errors_[0], chunk.data(), chunk.size()), 0))
+      errors_text_.append(chunk.data(), static_cast<std::size_t>(got));
     int status = 0;
     waitpid(process_, &status, 0);
     process_ = -1;
@@ -86,16 +78,6 @@ public:
   const std::string& errors() const { return errors_text_; }
 
 private:
-  /// Waits for more output. @return false at the end
-  bool readErrors()
-  {
-    std::array<char, 4096> chunk{};
-    const ssize_t got = read(errors_[0], chunk.data(), chunk.size());
-    if (got > 0)
-      errors_text_.append(chunk.data(), static_cast<std::size_t>(got));
-    return got > 0;
-  }
-
   [[noreturn]] void become(const std::string& path, const std::vector<std::string>& arguments)
   {
     dup2(errors_[1], STDERR_FILENO);

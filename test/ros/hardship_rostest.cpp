@@ -1,4 +1,3 @@
-#include <cmath>
 #include <fstream>
 #include <limits>
 
@@ -123,44 +122,6 @@ TEST(Hardship, aScheduleThatIsOverDoesNotMindTheEnd)
   EXPECT_EQ(log.count("before the end of the schedule"), 0);
 }
 
-TEST(Hardship, aThousandSetpointsASecond)
-{
-  const ScratchDirectory scratch;
-  const std::string bag = scratch / "run.bag";
-  const NodeLog log("/flooded");
-  StartedNode started("/flooded", {{"record", bag}, {"start_paused", false}});
-  SieveClient& sieve = started.sieve;
-  constexpr int COUNT = 3000;
-  constexpr double LAST = 0.123;
-  int sent = 0;
-  const ros::WallTimer sender = sieve.node.createWallTimer(
-      ros::WallDuration(0.001),
-      [&](const ros::WallTimerEvent&)
-      {
-        if (sent < COUNT)
-          sieve.publish("inclination", ++sent < COUNT ? 0.1 * std::sin(0.01 * sent) : LAST);
-      });
-  ASSERT_TRUE(waitFor([&] { return sieve.commanded("inclination") == LAST; }));
-  const double end = sieve.base.frames.back().time;
-  ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().time > end + 0.5; }));
-  EXPECT_EQ(sieve.commanded("inclination"), LAST);
-  EXPECT_EQ(started.end(), 0) << started.node->errors();
-
-  // As many frames of the bins as without setpoints, each at its time.
-  const CollectingSink recorded = readAll({bag});
-  const double ended = recorded.bins.back().time;
-  ASSERT_GE(recorded.bins.size(), static_cast<std::size_t>(60.0 * ended));
-  for (std::size_t k = 0; k + 1 < recorded.bins.size(); ++k)
-    ASSERT_EQ(recorded.bins[k].time, static_cast<double>(k) / 60.0);
-  EXPECT_GT(recorded.commands.size(), 100u);
-  EXPECT_LE(recorded.commands.size(), COUNT + 1u);  // with the slew rates
-  EXPECT_LE(recorded.bases.size(), recorded.commands.size() + recorded.bins.size());
-  ChildNode again("sieve_resimulate", {bag});
-  EXPECT_EQ(again.wait(), 0) << again.errors();
-  // One line per second, and some at the start.
-  EXPECT_LT(log.lines.size(), 20 + 2 * static_cast<std::size_t>(ended));
-}
-
 TEST(Hardship, aBurstOfGarbage)
 {
   constexpr double INF = std::numeric_limits<double>::infinity();
@@ -178,7 +139,6 @@ TEST(Hardship, aBurstOfGarbage)
   sieve.stepAndSee(0.5);
   EXPECT_EQ(sieve.base.frames.back().base.inclination, 0.05);
   EXPECT_EQ(sieve.base.frames.back().base.frequency, 23.0);
-  EXPECT_LT(log.lines.size(), 100u);
 
   // Then 100,000 legal ones: the last one is applied.
   for (int k = 0; k < 100000; ++k)
@@ -188,6 +148,7 @@ TEST(Hardship, aBurstOfGarbage)
   ASSERT_TRUE(statuses.waitFor("pelted: setpoints", diagnostic_msgs::DiagnosticStatus::OK));
   sieve.stepAndSee(0.5);
   EXPECT_EQ(sieve.commanded("inclination"), 0.25);
+  EXPECT_LT(log.lines.size(), 100u);
 }
 
 /// Memory of a process in RAM [bytes].

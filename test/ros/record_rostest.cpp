@@ -1,10 +1,7 @@
-#include <algorithm>
 #include <cstdlib>
-#include <set>
+#include <optional>
 
 #include <gtest/gtest.h>
-#include <rosbag/bag.h>
-#include <rosbag/view.h>
 
 #include "file_size_limit.h"
 #include "node_reports.h"
@@ -80,63 +77,6 @@ TEST_F(Record, holdsWhatItIsAskedToInFilesOfItsOwn)
   EXPECT_EQ(recorded.bins.size(), 26u);
   EXPECT_EQ(recorded.statistics.size(), 8u);  // the last one is at 1.25 s
   EXPECT_FALSE(std::filesystem::exists(bag()));
-}
-
-/// Checks that every recorded frame was published, and that none is missing up to the last recorded one.
-template <typename Frame>
-void expectPublished(const std::vector<Frame>& recorded, const std::vector<Frame>& published)
-{
-  ASSERT_FALSE(recorded.empty());
-  const auto instants = [&](const std::vector<Frame>& frames)
-  {
-    std::set<double> times;
-    for (const Frame& frame : frames)
-      if (frame.time <= recorded.back().time)
-        times.insert(frame.time);
-    return times;
-  };
-  EXPECT_EQ(instants(recorded), instants(published));
-  for (const Frame& frame : recorded)
-    EXPECT_TRUE(std::any_of(published.begin(), published.end(),
-                            [&](const Frame& candidate) { return sameBits(frame, candidate); }))
-        << frame.time;
-}
-
-TEST_F(Record, losesNoMoreThanASecondWhenKilled)
-{
-  StartedNode started("/killed", {{"record", bag()}, {"recording/particles", 60}});
-  SieveClient& sieve = started.sieve;
-  // Steps with at most as many frames as a publisher's queue holds, so that none is lost.
-  for (int k = 0; k < 21; ++k)
-  {
-    sieve.stepAndSee(0.25);
-    if (k == 8)
-      sieve.command("inclination", 0.125);
-  }
-  sieve.stepAndSee(0.1);
-  started.node->killAtOnce();
-  EXPECT_EQ(started.node->wait(), -1);
-
-  const std::string active = bag() + ".active";
-  EXPECT_FALSE(std::filesystem::exists(bag()));
-  EXPECT_THROW(readAll({active}), BagError);
-  // The same with a partially written chunk.
-  const std::string torn = scratch_ / "torn.bag";
-  std::filesystem::copy_file(active, torn);
-  constexpr std::size_t HEAD = 4117;  // bytes before the first chunk
-  std::ofstream(torn, std::ios::binary | std::ios::app) << contents(active).substr(HEAD, 1000);
-  for (const std::string& path : {active, torn})
-  {
-    ASSERT_EQ(std::system(("rosbag reindex --quiet " + path).c_str()), 0);
-    EXPECT_EQ(std::system(("rosbag check " + path).c_str()), 0);
-    const CollectingSink recorded = readAll({path});
-    EXPECT_EQ(recorded.scenes.size(), 1u);
-    EXPECT_GT(recorded.bins.back().time, 5.35 - 1.0 - 1.0 / 60.0);
-    EXPECT_EQ(recorded.particles.back().time, recorded.bins.back().time);
-    expectPublished(recorded.particles, sieve.particles.frames);
-    expectPublished(recorded.bins, sieve.bins.frames);
-    expectPublished(recorded.bases, sieve.base.frames);
-  }
 }
 
 TEST_F(Record, goesOnWhereTheDiskIsFull)

@@ -194,16 +194,5 @@ TEST(Recorder, saysWhereARelativePathIs)
   recorder.close();
   EXPECT_TRUE(std::filesystem::exists(here / "run.bag"));
 }
-
-TEST(Recorder, recordsNothingWithoutAName)
-{
-  Recorder recorder("", "/sieve");
-  recorder.open();
-  recorder.openNext();
-  EXPECT_FALSE(recorder.on());
-  CollectingSink shown;
-  recordRun(recorder, shown);
-  EXPECT_EQ(recorder.failure(), "");
-}
 }  // namespace
 }  // namespace ratchet_sieve
