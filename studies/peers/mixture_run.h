@@ -13,7 +13,7 @@
 
 /// What the programs of the comparison have in common. Each is given a file that runs.py writes: the mixture
 /// of Fig. 8 at theta = 0, where its disks start, and for how long it runs. Each writes samples, from which
-/// looks.py tells drifts and overlaps, and prints one line of JSON.
+/// samples.py tells drifts and overlaps, and prints one line of JSON.
 namespace ratchet_sieve::peers
 {
 
@@ -28,6 +28,7 @@ struct Point
   double x = 0.0;  ///< [m]
   double y = 0.0;  ///< [m]
 };
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Point, x, y)
 
 inline nlohmann::json readRun(int argc, char** argv)
 {

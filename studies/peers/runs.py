@@ -2,6 +2,7 @@
 import dataclasses
 import functools
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -16,7 +17,8 @@ from ratchet_sieve.places import SHARE
 from ratchet_sieve.stats import mean_of
 from peers import samples
 
-SCENE = SHARE / "config/paper_fig8.yaml"
+SCENE_FILE = SHARE / "config/paper_fig8.yaml"
+SCENE = yaml.safe_load(SCENE_FILE.read_text(encoding="utf-8"))
 OURS = "ratchet_sieve"
 ROW = "this project"
 TIMEOUT = 900.0   # of wall time [s]: a longer run has hung
@@ -37,6 +39,8 @@ NO_TUNNELLING = 3e-4
 # Below this step a disk cannot pass through teeth made of segments, which are cheaper than solid ones. Above it solid
 # teeth lose fewer disks [s].
 THIN_BASE = 2e-3
+
+EXTRA_TEETH = 2  # at either end, for disks that have passed it and are not yet moved
 
 SWEEP = (1e-2, 1.0 / 240.0, 2e-3, 1e-3, BOX2D_STEP, 2e-4, MAIN_STEP, 3e-5)  # [s]
 FINE = 5e-5  # what steps finer than this is run for a shorter time [s]
@@ -100,9 +104,23 @@ def start_of(programs, seed):
         return call(programs, Case(OURS, settle=0.0, duration=0.0), seed, None, folder)[0]["disks"]
 
 
+def mixture_of(disks):
+    """The scene for programs that know neither teeth nor species [SI units]."""
+    base, species = SCENE["base"], SCENE["species"]
+    end = base["teeth"] + EXTRA_TEETH
+    outline = [*samples.corners_of(base, range(-EXTRA_TEETH, end)), (end * base["tooth_width"], 0.0)]
+    return {"width": base["teeth"] * base["tooth_width"], "gravity": SCENE["gravity"],
+            "clear_height": base["tooth_height"] + base["amplitude"] + SCENE["pour"]["drop_height"],
+            "amplitude": base["amplitude"], "omega": 2.0 * math.pi * base["frequency"],
+            **{key: species[0][key] for key in ("restitution", "friction")},
+            "outline": [{"x": x, "y": y} for x, y in outline],
+            "disks": [{"x": x, "y": y, **{key: species[kind][key] for key in ("radius", "mass")}}
+                      for kind, x, y in disks]}
+
+
 def call(programs, case, seed, disks, folder):
     """@return the line that the program prints, and whatever it or its library has printed besides"""
-    given = {"scene": yaml.safe_load(SCENE.read_text(encoding="utf-8")), "file": str(SCENE), "disks": disks,
+    given = {"scene": SCENE, "file": str(SCENE_FILE), "disks": disks, "mixture": mixture_of(disks or ()),
              "samples": f"{folder}/samples", "settle": case.settle, "duration": case.duration, "look": samples.LOOK,
              **case.options()}
     given["set"].append(f"seed={seed}")
@@ -122,8 +140,7 @@ def run(programs, case, seed):
     with tempfile.TemporaryDirectory() as folder:
         result, said = call(programs, case, seed, disks, folder)
         result.pop("disks", None)
-        scene = yaml.safe_load(SCENE.read_text(encoding="utf-8"))
-        result.update(samples.measured(f"{folder}/samples", scene, [kind for kind, _, _ in disks]))
+        result.update(samples.measured(f"{folder}/samples", SCENE, [kind for kind, _, _ in disks]))
     return {"program": case.program, "row": case.row, "step": case.step, "seed": seed, "settle": case.settle,
             "duration": case.duration, "debug": "Debug Enabled" in said,  # which Chipmunk prints
             **result}

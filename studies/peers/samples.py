@@ -10,12 +10,15 @@ SEAM = 0.040   # two teeth [m]: no overlap is looked for so near to an end, wher
 ROUNDING = 1e-6  # of a block, so that the rounding of times does not delay its end to the next sample
 
 
+def corners_of(base, teeth):
+    """Foot and apex of these teeth, from left to right [m]."""
+    return [((k + part) * base["tooth_width"], n) for k in teeth
+            for part, n in ((0.0, 0.0), (base["asymmetry"], base["tooth_height"]))]
+
+
 def height_above(base, x, y):
     """Distances from points to the base's surface, > 0 above it."""
-    width = base["tooth_width"]
-    s = x % width
-    corners = [((k + part) * width, n) for k in (-1, 0, 1, 2)
-               for part, n in ((0.0, 0.0), (base["asymmetry"], base["tooth_height"]))]
+    s, corners = x % base["tooth_width"], corners_of(base, range(-1, 3))
     nearest = numpy.full_like(s, numpy.inf)
     for (s1, n1), (s2, n2) in zip(corners, corners[1:]):
         along, up = s2 - s1, n2 - n1

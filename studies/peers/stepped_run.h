@@ -11,65 +11,28 @@ namespace ratchet_sieve::peers
 
 constexpr double TIDY = 0.001;        ///< interval at which disks are moved to the other end [s]
 constexpr double LOST_DEPTH = 0.010;  ///< A disk so far below the feet has fallen through the base [m].
-constexpr int EXTRA_TEETH = 2;        ///< at either end, for disks that have passed it and are not yet moved
-constexpr double TWO_PI = 6.283185307179586;
 
 struct Disk
 {
-  Point start;  ///< at rest
-  double radius;
-  double mass;
+  double x, y;  ///< start, at rest
+  double radius, mass;
 };
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Disk, x, y, radius, mass)
 
-/// The scene, in the words of the other programs.
+/// The scene in the words of the other programs, by mixture_of() of runs.py.
 struct Mixture
 {
-  explicit Mixture(const nlohmann::json& run)
-  {
-    const nlohmann::json& scene = run["scene"];
-    base = scene["base"];
-    teeth = base["teeth"];
-    tooth_width = base["tooth_width"];
-    tooth_height = base["tooth_height"];
-    amplitude = base["amplitude"];
-    omega = TWO_PI * base["frequency"].get<double>();
-    gravity = scene["gravity"];
-    drop_height = scene["pour"]["drop_height"];
-    restitution = scene["species"][0]["restitution"];
-    friction = scene["species"][0]["friction"];
-    for (const nlohmann::json& disk : run["disks"])
-    {
-      const nlohmann::json& species = scene["species"][disk[0].get<std::size_t>()];
-      disks.push_back({{disk[1], disk[2]}, species["radius"], species["mass"]});
-    }
-  }
-
-  double width() const { return teeth * tooth_width; }
-
   /// Of the base [m].
   double displacement(double time) const { return amplitude * std::sin(omega * time); }
   double velocity(double time) const { return amplitude * omega * std::cos(omega * time); }
 
-  /// Foot, apex, foot, ... from left to right, EXTRA_TEETH beyond either end.
-  std::vector<Point> outline() const
-  {
-    const double asymmetry = base["asymmetry"];
-    std::vector<Point> points;
-    for (int tooth = -EXTRA_TEETH; tooth < teeth + EXTRA_TEETH; ++tooth)
-    {
-      points.push_back({tooth * tooth_width, 0.0});
-      points.push_back({(tooth + asymmetry) * tooth_width, tooth_height});
-    }
-    points.push_back({(teeth + EXTRA_TEETH) * tooth_width, 0.0});
-    return points;
-  }
-
-  nlohmann::json base;
-  int teeth;
-  double tooth_width, tooth_height, amplitude, omega, gravity, drop_height;
+  double width, clear_height, amplitude, omega, gravity;
   double restitution, friction;  ///< of every contact
+  std::vector<Point> outline;    ///< foot, apex, foot, ... from left to right, some teeth beyond either end
   std::vector<Disk> disks;
 };
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Mixture, width, clear_height, amplitude, omega, gravity, restitution,
+                                   friction, outline, disks)
 
 /// Runs the scene in a time-stepping program without a periodic boundary. World: step(k) executes step k, to
 /// (k + 1) dt; place(i) a disk's centre [m]; moveTo(i, point, stop) moves it, at rest if `stop`; contacts()
@@ -129,7 +92,7 @@ private:
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       places[i] = world_.place(i);
-      places[i].x += wraps_[i] * mixture_.width();
+      places[i].x += wraps_[i] * mixture_.width;
     }
     const double time = static_cast<double>(k) * step_;
     samples_.write(time, mixture_.displacement(time), places);
@@ -137,7 +100,7 @@ private:
 
   void takeBackWhatLeft()
   {
-    const double width = mixture_.width();
+    const double width = mixture_.width;
     for (std::size_t i = 0; i < wraps_.size(); ++i)
     {
       const Point at = world_.place(i);
@@ -158,7 +121,7 @@ private:
   /// A height above every disk of the column at x.
   double clearHeight(std::size_t i, double x) const
   {
-    double y = mixture_.tooth_height + mixture_.amplitude + mixture_.drop_height;
+    double y = mixture_.clear_height;
     for (std::size_t j = 0; j < wraps_.size(); ++j)
     {
       const double reach = mixture_.disks[i].radius + mixture_.disks[j].radius;
