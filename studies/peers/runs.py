@@ -1,18 +1,19 @@
 """The rows of the table and the steps of the picture: each a program that is run, one after another on one core."""
 import dataclasses
-import functools
 import json
 import math
-import os
 import pathlib
 import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
+import time
 
+import numpy
 import yaml
 
+import ratchet_sieve as rs
 from ratchet_sieve.places import SHARE
 from ratchet_sieve.stats import mean_of
 from peers import samples
@@ -23,7 +24,7 @@ OURS = "ratchet_sieve"
 ROW = "this project"
 TIMEOUT = 900.0   # of wall time [s]: a longer run has hung
 LAMMPS = "lmp"    # its program
-PROGRAMS = {OURS: "ratchet_mixture", "chipmunk": "chipmunk_mixture", "box2d": "box2d_mixture"}
+PROGRAMS = {"chipmunk": "chipmunk_mixture", "box2d": "box2d_mixture"}
 
 # Box2D's clock runs faster than the scene's by the root of the scale of its lengths: see box2d_mixture.cpp.
 BOX2D_CLOCK = 1000.0 ** 0.5
@@ -52,14 +53,14 @@ class Case:
     program: str
     row: str = ""           # "": only in the picture
     step: float = None      # [s]
-    overrides: tuple = ()   # of the scene, as of sieve_run --set
+    overrides: dict = dataclasses.field(default_factory=dict)  # of the scene
     settle: float = 2.0     # [s]
     duration: float = 8.0   # [s]
     repeated: bool = True   # false: too slow
 
     def options(self):
         """What the program alone is asked for."""
-        return {"step": self.step, "set": list(self.overrides), "solid": bool(self.step and self.step >= THIN_BASE),
+        return {"step": self.step, "solid": bool(self.step and self.step >= THIN_BASE),
                 "continuous": bool(self.step and self.step >= NO_TUNNELLING)}
 
 
@@ -75,7 +76,7 @@ def rows(programs):
         "Box2D": [Case("box2d", "Box2D, 0.1 ms", MAIN_STEP),
                   Case("box2d", "Box2D, 1/60 s of its clock: 0.53 ms", BOX2D_STEP)],
         "LAMMPS": [Case("lammps", "LAMMPS, 5 µs", settle=1.0, duration=3.0, repeated=False)]}
-    without_beta = tuple(f"species.{k}.tangential_restitution=0" for k in (0, 1))
+    without_beta = {f"species.{k}.tangential_restitution": 0 for k in (0, 1)}
     found = [Case(OURS, ROW, duration=40.0),
              Case(OURS, "this project, β = 0 as the others", overrides=without_beta, duration=40.0)]
     missing = [name for name in cases if not is_there(programs, name.lower())]
@@ -90,18 +91,8 @@ def sweep(programs):
             if step not in taken and is_there(programs, program)]
 
 
-def pinned(command):
-    """On the last core that this process may use: the first one serves the system."""
-    if not shutil.which("taskset"):
-        return command
-    return ["taskset", "-c", str(max(os.sched_getaffinity(0))), *command]
-
-
-@functools.lru_cache(maxsize=None)
-def start_of(programs, seed):
-    """Of each disk its species, x and y at t = 0, for all programs: this project's pour."""
-    with tempfile.TemporaryDirectory() as folder:
-        return call(programs, Case(OURS, settle=0.0, duration=0.0), seed, None, folder)[0]["disks"]
+def simulation_of(case, seed):
+    return rs.Simulation(rs.Scene.load(SCENE_FILE, {**case.overrides, "seed": seed}))
 
 
 def mixture_of(disks):
@@ -118,32 +109,52 @@ def mixture_of(disks):
                       for kind, x, y in disks]}
 
 
-def call(programs, case, seed, disks, folder):
-    """@return the line that the program prints, and whatever it or its library has printed besides"""
-    given = {"scene": SCENE, "file": str(SCENE_FILE), "disks": disks, "mixture": mixture_of(disks or ()),
-             "samples": f"{folder}/samples", "settle": case.settle, "duration": case.duration, "look": samples.LOOK,
-             **case.options()}
-    given["set"].append(f"seed={seed}")
-    file = pathlib.Path(folder) / "run.json"
-    file.write_text(json.dumps(given), encoding="utf-8")
-    command = ([sys.executable, str(pathlib.Path(__file__).with_name("lammps_mixture.py"))]
-               if case.program == "lammps" else [str(programs / PROGRAMS[case.program])])
-    ran = subprocess.run(pinned([*command, str(file)]), capture_output=True, text=True, timeout=TIMEOUT, check=False)
-    if ran.returncode != 0:
-        sys.exit(f"{case.row or case.program}: exit status {ran.returncode}: {ran.stderr.strip()}")
+def ours(case, seed):
+    """@return what the other programs print, and the samples"""
+    simulation, lines = simulation_of(case, seed), []
+    start = simulation.disks["x"]
+
+    def look():
+        disks = simulation.disks
+        places = numpy.column_stack((start + disks["displacement"], disks["y"]))
+        lines.append([simulation.time, simulation.base.displacement, *places.flat])
+
+    simulation.advance_to(case.settle)
+    look()
+    before, wall, processor = sum(simulation.collisions.values()), 0.0, 0.0
+    for k in range(1, round(case.duration / samples.LOOK) + 1):
+        begin = time.perf_counter(), time.process_time()
+        simulation.advance_to(case.settle + k * samples.LOOK)
+        wall += time.perf_counter() - begin[0]
+        processor += time.process_time() - begin[1]
+        look()
+    return {"version": "", "wall_seconds": wall, "processor_seconds": processor, "lost": 0,
+            "collisions": sum(simulation.collisions.values()) - before}, numpy.array(lines)
+
+
+def other(programs, case, disks):
+    """@return the line that the program prints with what it or its library has printed besides, and the samples"""
+    with tempfile.TemporaryDirectory() as folder:
+        given = {"scene": SCENE, "disks": disks, "mixture": mixture_of(disks), "samples": f"{folder}/samples",
+                 "settle": case.settle, "duration": case.duration, "look": samples.LOOK, **case.options()}
+        file = pathlib.Path(folder) / "run.json"
+        file.write_text(json.dumps(given), encoding="utf-8")
+        command = ([sys.executable, str(pathlib.Path(__file__).with_name("lammps_mixture.py"))]
+                   if case.program == "lammps" else [str(programs / PROGRAMS[case.program])])
+        ran = subprocess.run([*command, str(file)], capture_output=True, text=True, timeout=TIMEOUT, check=False)
+        if ran.returncode != 0:
+            sys.exit(f"{case.row or case.program}: exit status {ran.returncode}: {ran.stderr.strip()}")
+        lines = numpy.fromfile(given["samples"]).reshape(-1, 2 + 2 * len(disks))
     *said, line = ran.stdout.strip().splitlines()
-    return json.loads(line), "\n".join((*said, ran.stderr))
+    return {**json.loads(line), "debug": "Debug Enabled" in "\n".join((*said, ran.stderr))}, lines  # which Chipmunk prints
 
 
 def run(programs, case, seed):
-    disks = start_of(programs, seed)
-    with tempfile.TemporaryDirectory() as folder:
-        result, said = call(programs, case, seed, disks, folder)
-        result.pop("disks", None)
-        result.update(samples.measured(f"{folder}/samples", SCENE, [kind for kind, _, _ in disks]))
+    """All programs begin with this project's pour."""
+    disks = simulation_of(case, seed).disks[["species", "x", "y"]].tolist()
+    result, lines = ours(case, seed) if case.program == OURS else other(programs, case, disks)
     return {"program": case.program, "row": case.row, "step": case.step, "seed": seed, "settle": case.settle,
-            "duration": case.duration, "debug": "Debug Enabled" in said,  # which Chipmunk prints
-            **result}
+            "duration": case.duration, **result, **samples.measured(lines, SCENE, [kind for kind, _, _ in disks])}
 
 
 def in_turns(programs, cases, repetitions, short):

@@ -46,19 +46,14 @@ def drifts(times, x, kinds):
     return blocks
 
 
-def read(path, disks):
-    """@param disks their number. @return of each sample its time and the base's displacement; x, as if the base went
-    on, and y of each disk"""
-    lines = numpy.fromfile(path).reshape(-1, 2 + 2 * disks)
-    return lines[:, 0], lines[:, 1], lines[:, 2::2], lines[:, 3::2]
-
-
-def measured(path, scene, kinds):
-    """What compare_peers tells of a run's samples. @param kinds the species of each disk"""
+def measured(lines, scene, kinds):
+    """What compare_peers tells of a run's samples.
+    @param lines of each sample its time and the base's displacement; then x, as if the base went on, and y of each disk
+    @param kinds the species of each disk"""
     base, kinds = scene["base"], numpy.array(kinds)
     radii = numpy.array([species["radius"] for species in scene["species"]])[kinds]
     width = base["teeth"] * base["tooth_width"]
-    times, displacements, xs, ys = read(path, len(kinds))
+    times, displacements, xs, ys = lines[:, 0], lines[:, 1], lines[:, 2::2], lines[:, 3::2]
     overlap = base_overlap = 0.0
     behind = 0
     for displacement, x, y in zip(displacements, xs % width, ys):

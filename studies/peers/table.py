@@ -81,7 +81,7 @@ def render(programs, taken, missing, about):
     """@param missing names of programs. @param about date and machine"""
     own = by_row(taken)
     ours = own[runs.ROW]
-    lines = [f"{origin.text(about)}, {ours[0]['compiler']}. {max(map(len, own.values()))} runs of each row in turns "
+    lines = [f"{origin.text(about)}. {max(map(len, own.values()))} runs of each row in turns "
              f"(LAMMPS: one), on one core; medians. {shared(sum(own.values(), []))}", *libraries(programs, taken)]
     if missing:
         lines.append(f"- Not installed, and left out: {', '.join(missing)}")
