@@ -11,19 +11,14 @@ import tempfile
 import time
 
 import numpy
-import yaml
 
 import ratchet_sieve as rs
-from ratchet_sieve.places import SHARE
 from ratchet_sieve.stats import mean_of
-from peers import samples
+from peers import lammps_mixture, samples
+from peers.samples import LOOK, SCENE, SCENE_FILE, TIMEOUT
 
-SCENE_FILE = SHARE / "config/paper_fig8.yaml"
-SCENE = yaml.safe_load(SCENE_FILE.read_text(encoding="utf-8"))
 OURS = "ratchet_sieve"
 ROW = "this project"
-TIMEOUT = 900.0   # of wall time [s]: a longer run has hung
-LAMMPS = "lmp"    # its program
 PROGRAMS = {"chipmunk": "chipmunk_mixture", "box2d": "box2d_mixture"}
 
 # Box2D's clock runs faster than the scene's by the root of the scale of its lengths: see box2d_mixture.cpp.
@@ -58,14 +53,9 @@ class Case:
     duration: float = 8.0   # [s]
     repeated: bool = True   # false: too slow
 
-    def options(self):
-        """What the program alone is asked for."""
-        return {"step": self.step, "solid": bool(self.step and self.step >= THIN_BASE),
-                "continuous": bool(self.step and self.step >= NO_TUNNELLING)}
-
 
 def is_there(programs, name):
-    return bool(shutil.which(LAMMPS)) if name == "lammps" else (programs / PROGRAMS[name]).exists()
+    return bool(shutil.which(lammps_mixture.PROGRAM)) if name == "lammps" else (programs / PROGRAMS[name]).exists()
 
 
 def rows(programs):
@@ -122,9 +112,9 @@ def ours(case, seed):
     simulation.advance_to(case.settle)
     look()
     before, wall, processor = sum(simulation.collisions.values()), 0.0, 0.0
-    for k in range(1, round(case.duration / samples.LOOK) + 1):
+    for k in range(1, round(case.duration / LOOK) + 1):
         begin = time.perf_counter(), time.process_time()
-        simulation.advance_to(case.settle + k * samples.LOOK)
+        simulation.advance_to(case.settle + k * LOOK)
         wall += time.perf_counter() - begin[0]
         processor += time.process_time() - begin[1]
         look()
@@ -133,28 +123,29 @@ def ours(case, seed):
 
 
 def other(programs, case, disks):
-    """@return the line that the program prints with what it or its library has printed besides, and the samples"""
+    """@return what the program prints, and the samples"""
     with tempfile.TemporaryDirectory() as folder:
-        given = {"scene": SCENE, "disks": disks, "mixture": mixture_of(disks), "samples": f"{folder}/samples",
-                 "settle": case.settle, "duration": case.duration, "look": samples.LOOK, **case.options()}
+        given = {"mixture": mixture_of(disks), "samples": f"{folder}/samples", "look": LOOK, "step": case.step,
+                 "settle": case.settle, "duration": case.duration, "solid": case.step >= THIN_BASE,
+                 "continuous": case.step >= NO_TUNNELLING}
         file = pathlib.Path(folder) / "run.json"
         file.write_text(json.dumps(given), encoding="utf-8")
-        command = ([sys.executable, str(pathlib.Path(__file__).with_name("lammps_mixture.py"))]
-                   if case.program == "lammps" else [str(programs / PROGRAMS[case.program])])
-        ran = subprocess.run([*command, str(file)], capture_output=True, text=True, timeout=TIMEOUT, check=False)
+        ran = subprocess.run([str(programs / PROGRAMS[case.program]), str(file)], capture_output=True, text=True,
+                             timeout=TIMEOUT, check=False)
         if ran.returncode != 0:
             sys.exit(f"{case.row or case.program}: exit status {ran.returncode}: {ran.stderr.strip()}")
         lines = numpy.fromfile(given["samples"]).reshape(-1, 2 + 2 * len(disks))
-    *said, line = ran.stdout.strip().splitlines()
-    return {**json.loads(line), "debug": "Debug Enabled" in "\n".join((*said, ran.stderr))}, lines  # which Chipmunk prints
+    said = json.loads(ran.stdout.strip().splitlines()[-1])
+    return {**said, "debug": "Debug Enabled" in ran.stdout + ran.stderr}, lines  # which Chipmunk prints
 
 
 def run(programs, case, seed):
     """All programs begin with this project's pour."""
     disks = simulation_of(case, seed).disks[["species", "x", "y"]].tolist()
-    result, lines = ours(case, seed) if case.program == OURS else other(programs, case, disks)
+    result, lines = (ours(case, seed) if case.program == OURS else lammps_mixture.run(case, disks)
+                     if case.program == "lammps" else other(programs, case, disks))
     return {"program": case.program, "row": case.row, "step": case.step, "seed": seed, "settle": case.settle,
-            "duration": case.duration, **result, **samples.measured(lines, SCENE, [kind for kind, _, _ in disks])}
+            "duration": case.duration, **result, **samples.measured(lines, [kind for kind, _, _ in disks])}
 
 
 def in_turns(programs, cases, repetitions, short):

@@ -1,7 +1,13 @@
 """What the samples of a run say: drifts and overlaps. Every program of the comparison writes them alike."""
 import numpy
+import yaml
 from scipy.spatial import cKDTree
 
+from ratchet_sieve.places import SHARE
+
+SCENE_FILE = SHARE / "config/paper_fig8.yaml"
+SCENE = yaml.safe_load(SCENE_FILE.read_text(encoding="utf-8"))
+TIMEOUT = 900.0  # of wall time [s]: a longer run of a program has hung
 TOUCH = 1e-12  # an overlap up to this is rounding [m]
 LOOK = 0.01    # between two samples [s]
 BLOCK = 0.5    # of time, over which a drift is a sample of its mean [s]
@@ -46,12 +52,12 @@ def drifts(times, x, kinds):
     return blocks
 
 
-def measured(lines, scene, kinds):
+def measured(lines, kinds):
     """What compare_peers tells of a run's samples.
     @param lines of each sample its time and the base's displacement; then x, as if the base went on, and y of each disk
     @param kinds the species of each disk"""
-    base, kinds = scene["base"], numpy.array(kinds)
-    radii = numpy.array([species["radius"] for species in scene["species"]])[kinds]
+    base, kinds = SCENE["base"], numpy.array(kinds)
+    radii = numpy.array([species["radius"] for species in SCENE["species"]])[kinds]
     width = base["teeth"] * base["tooth_width"]
     times, displacements, xs, ys = lines[:, 0], lines[:, 1], lines[:, 2::2], lines[:, 3::2]
     overlap = base_overlap = 0.0

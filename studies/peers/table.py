@@ -7,7 +7,7 @@ import subprocess
 
 from ratchet_sieve import origin
 from ratchet_sieve.texts import table
-from peers import runs
+from peers import lammps_mixture, runs
 
 MM = 1e3  # per m
 BUSY = 0.95  # a run with a smaller share of its core did not have it alone
@@ -38,7 +38,7 @@ def libraries(programs, taken):
         if not own:
             continue
         if name == "lammps":
-            about = f"{package_of(shutil.which(runs.LAMMPS))}; one process"
+            about = f"{package_of(shutil.which(lammps_mixture.PROGRAM))}; one process"
         else:
             loaded = re.search(rf"lib{name}\S* => (\S+)", output("ldd", str(programs / runs.PROGRAMS[name])))
             about = package_of(loaded.group(1)) if loaded else "not from a package"
