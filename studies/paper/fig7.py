@@ -15,10 +15,6 @@ def velocities(rows):
     return {kind: means(rows, f"mean_vx.{kind}", THETA, F) for kind in KINDS}
 
 
-def evaluate(rows):
-    return velocities(rows["paper_fig7"])
-
-
 def draw_kinds(means, names):
     """A panel for each kind: a curve over f for each inclination."""
     figure, both = plots.panels(1, 2, (8.6, 4.2), sharey=True)
@@ -36,10 +32,6 @@ def draw_kinds(means, names):
     for axes, ends in zip(both, labels):
         plots.end_labels(axes, ends, r"$\theta$ [rad]")
     return figure
-
-
-def draw(means):
-    return draw_kinds(means, KINDS)
 
 
 def range_over_inclinations(means, f):
@@ -70,7 +62,7 @@ def velocity_lines(means):
 
 
 STUDY = Study("fig7", "Fig. 7: velocity over frequency, for small and large disks",
-              ("paper_fig7",), evaluate,
+              ("paper_fig7",), lambda rows: velocities(rows["paper_fig7"]),
               (Picture("fig7", "Mean velocity of single disks of 1 mm and of 4 mm over the frequency, for ten "
-                       "inclinations; bars: standard errors over the seeds", draw),), claims,
-              tables=lambda means: {"fig7": velocity_lines(means)})
+                       "inclinations; bars: standard errors over the seeds", lambda means: draw_kinds(means, KINDS)),),
+              claims, tables=lambda means: {"fig7": velocity_lines(means)})

@@ -77,12 +77,6 @@ def claims(numbers):
                                  f"{verdicts.shown(window, 1, 'rad') if window else '—'}", narrower(numbers)),))]
 
 
-def mixture_lines(numbers):
-    return csv_lines(("mixture", "best_theta_rad"), ("q", *TURNS.values()), {
-        (NAMES[mixture], found["best"].at): [found["best"].mean, *(found[part] for part in TURNS)]
-        for mixture, found in numbers.items()})
-
-
 TEXT = ("Q is that of 20 teeth with open ends after 60 s. The intervals are those of θ in which A goes right and B "
         "left. On 20 teeth, as in Fig. 8, A reverses at a smaller angle, so that the first mixture's interval is "
         "narrower.")
@@ -93,4 +87,6 @@ STUDY = Study("mixtures", "Section 3.2.1: mixtures that differ in the radius or 
               (Picture("mixtures", "Q and how much faster A is than B, of five mixtures, d = 3.93; bars: standard "
                        "errors over the seeds", draw),), claims,
               lambda numbers: TEXT,
-              tables=lambda numbers: {"mixtures": mixture_lines(numbers)})
+              tables=lambda numbers: {"mixtures": csv_lines(("mixture", "best_theta_rad"), ("q", *TURNS.values()), {
+                  (NAMES[mixture], found["best"].at): [found["best"].mean, *(found[part] for part in TURNS)]
+                  for mixture, found in numbers.items()})})

@@ -110,8 +110,9 @@ def claims(part):
                            "density", (at_one(part),))]
 
 
-def turn_lines(part):
-    return csv_lines(("d",), TURNS.values(), {d: [turn[kind] for kind in TURNS] for d, turn in part["turns"].items()})
+def turn_lines(name, turns):
+    """@param turns pairs of x and turns_of(). @param name of x"""
+    return csv_lines((name,), TURNS.values(), {x: [turn[kind] for kind in TURNS] for x, turn in turns})
 
 
 def text(part):
@@ -124,4 +125,4 @@ WINDOW = Study("parting_window", "The inclinations at which the kinds of Fig. 8'
               ("parting_window",), evaluate,
               (Picture("parting_window", "The inclinations at which A and B reverse, over the density; bars: "
                        "jackknife errors over the seeds", draw, size=(6.4, 4.2)),),
-              claims, text, tables=lambda part: {"parting_window": turn_lines(part)})
+              claims, text, tables=lambda part: {"parting_window": turn_lines("d", part["turns"].items())})

@@ -10,17 +10,8 @@ LEVEL, TILTED = 0.0, 0.052
 FIRST = 6  # number of the first addition that is about one kind of teeth
 
 
-def evaluate(rows):
-    """@return of each width: map from θ to both kinds' mean velocities [m/s]"""
-    return {w: ways(group, THETA) for w, group in sorted(rows["parting_teeth_fresh"].by(W).items())}
-
-
 def name(w):
     return f"w = {plots.MM * w:g} mm, h = {plots.MM * H:g} mm"
-
-
-def draw(numbers):
-    return parting.draw_ways({name(w): means for w, means in numbers.items()})
 
 
 def parted(means):
@@ -37,6 +28,7 @@ def level(means):
 
 
 def claims(numbers):
+    """@param numbers of each width: map from θ to both kinds' mean velocities [m/s]"""
     both = [verdicts.counted(f"{name(w)}: A right and B left at 0.105 and at 0.157", parted(means))
             for w, means in numbers.items()]
     return [verdicts.Claim("A2", "Fig. 8", "claim 6's A right and B left at 0.105 and at 0.157 come out at the printed "
@@ -61,8 +53,11 @@ def text(numbers):
 
 
 STUDY = Study("parting_teeth", "Claim 6 on narrower and higher teeth, by fresh seeds",
-              ("parting_teeth_fresh",), evaluate,
+              ("parting_teeth_fresh",),
+              lambda rows: {w: ways(group, THETA) for w, group in sorted(rows["parting_teeth_fresh"].by(W).items())},
               (Picture("parting_teeth", "Mean velocities of Fig. 8's mixture on narrower and higher teeth, d = 3.93; "
-                       "bars: standard errors over the seeds", draw),), claims, text,
+                       "bars: standard errors over the seeds",
+                       lambda numbers: parting.draw_ways({name(w): means for w, means in numbers.items()})),),
+              claims, text,
               tables=lambda numbers: {"parting_teeth": csv_lines(("w_m", "theta_rad"), WAYS, {
                   (w, theta): pair for w, means in numbers.items() for theta, pair in means.items()})})

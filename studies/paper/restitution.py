@@ -7,10 +7,6 @@ E = "species.0.restitution"
 PRINTED = 0.6
 
 
-def evaluate(rows):
-    return means(rows["paper_restitution"], "mean_vx.A", E)
-
-
 def draw(axes, velocities):
     plots.curve(axes, velocities.items(), plots.MM, color="black")
     axes.set(xlabel="restitution $e$", ylabel=r"$\langle V_x \rangle$ [mm/s]")
@@ -28,6 +24,7 @@ def claims(velocities):
 
 
 STUDY = Study("restitution", "Single disks over their restitution", ("paper_restitution",),
-              evaluate, (Picture("restitution", "Mean velocity of single disks over their restitution, otherwise as in "
+              lambda rows: means(rows["paper_restitution"], "mean_vx.A", E),
+              (Picture("restitution", "Mean velocity of single disks over their restitution, otherwise as in "
                        "Fig. 3; bars: standard errors over the seeds", draw, size=(6.4, 3.6)),), claims,
               tables=lambda velocities: {"restitution": csv_lines(("e",), ("mean_vx_m_per_s",), velocities)})

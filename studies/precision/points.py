@@ -156,8 +156,8 @@ DEVELOPMENT = (
 # On which the claimed bounds are tested. No setting was chosen by them.
 HELD_OUT = (
     Scene("tilted", "mixture, θ = 0.105, d = 2, 30 Hz", "paper_fig8.yaml",
-          {"base.inclination": 0.105, "density": 2.0, "base.frequency": 30.0, "settle": 2.0, "duration": 22.0}, LAYER, 48,
-          CLAIMED),
+          {"base.inclination": 0.105, "density": 2.0, "base.frequency": 30.0, "settle": 2.0, "duration": 22.0}, LAYER,
+          48, CLAIMED),
     Scene("asymmetry", "mixture, a = 0.1, B of 5 mm, d = 4", "paper_fig8.yaml",
           {"base.asymmetry": 0.1, "species.1.radius": 0.005, "settle": 2.0, "duration": 22.0}, LAYER, 12, CLAIMED),
     Scene("equal", "r = 1 and 4 mm, both 1 g, d = 3", "paper_fig8.yaml",
@@ -228,8 +228,8 @@ RESULTS, COSTS = "accuracy.csv", "accuracy_costs.csv"
 KEY = ["scene", "family", "setting"]
 RESULT_COLUMNS = [*KEY, "quantity", "runs", "mean", "standard_error", "measured", "physics"]
 COST_COLUMNS = [*KEY, "processor_s_per_simulated_s", "measured", "machine", "physics"]
-# Quantities that are no means over runs: the largest overlap [m], how often a disk was behind the base's surface after a
-# missed contact, disks that stayed there, runs that ended early.
+# Quantities that are no means over runs: the largest overlap [m], how often a disk was behind the base's surface after
+# a missed contact, disks that stayed there, runs that ended early.
 COUNTS = ("overlap", "pushed_out", "through_base", "ended_early")
 
 

@@ -58,11 +58,6 @@ def velocities(rows):
             for e, group in sorted(rows.by(E).items())}
 
 
-def evaluate(rows):
-    """@return velocities() of the search, and of the fresh seeds at places that it had found"""
-    return {"map": velocities(rows["validation_bae"]), "fresh": velocities(rows["validation_bae_fresh"])}
-
-
 def draw_regimes(numbers):
     numbers = numbers["map"]
     figure, row = plots.panels(1, len(numbers), (3.4 * len(numbers), 3.9), sharey=True)
@@ -118,7 +113,9 @@ def claims(numbers):
 
 
 STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others 2004)",
-              ("validation_bae", "validation_bae_fresh"), evaluate,
+              ("validation_bae", "validation_bae_fresh"),  # of a search, and of fresh seeds at places that it had found
+              lambda rows: {name: velocities(rows[sweep]) for name, sweep in (
+                  ("map", "validation_bae"), ("fresh", "validation_bae_fresh"))},
               (Picture("bae_regimes", "Which way single grains go, over the strength of the shaking and the roughness "
                        f"of the teeth, a = 0.3; a current is more than {LEAST * plots.MM:g} mm/s with 95 %",
                        draw_regimes, ("validation_bae",)),

@@ -131,13 +131,6 @@ def claimer(number, word):
     return claims
 
 
-def drift_lines(numbers):
-    """Of both ratchets; the keys' names differ, and stand in the first column."""
-    cells = {(ratchet.about, *map(float, place)): found for ratchet, means in numbers["means"].items()
-             for place, found in means.items()}
-    return csv_lines(("teeth", "d", "column", "curve", "theta_rad"), (*WAYS, "b_less_a_m_per_s"), cells)
-
-
 def text(numbers):
     """Where the kinds go opposite ways in the search."""
     found = [f"{len(opposed_at(means))} of {len(means)} on {ratchet.about}"
@@ -162,7 +155,10 @@ def study(number, word, names, scene):
                  evaluator(sweep),
                  (*(picture(name, word, names, ratchet) for ratchet in RATCHETS[::-1]), quality), claimer(number, word),
                  text, tables=lambda numbers: {
-                     name: drift_lines(numbers),
+                     # Of both ratchets; the keys' names differ, and stand in the first column.
+                     name: csv_lines(("teeth", "d", "column", "curve", "theta_rad"), (*WAYS, "b_less_a_m_per_s"), {
+                         (ratchet.about, *map(float, place)): found for ratchet, means in numbers["means"].items()
+                         for place, found in means.items()}),
                      f"{name}_quality": csv_lines(("theta_rad",), ("q", "p"), numbers["quality"])})
 
 
