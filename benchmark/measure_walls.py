@@ -6,8 +6,8 @@ from ratchet_sieve import origin
 from ratchet_sieve.texts import table
 from report import ROOT, parsed, parser_of, publish
 
-WIDTHS = (0.2, 1.0, 8.0)             # [m]
-RATES = (0.3, 1.0, 2.0, 3.0, 5.0)    # [rad/s]
+WIDTHS = (0.2, 1, 8)                 # [m]
+RATES = (0.3, 1, 2, 3, 5)            # [rad/s]
 RUNS = [(swing, seed) for swing in (0.5, 1.2) for seed in range(1, 5)]  # of each cell; swings in rad
 DURATION, LOOK = 10.0, 0.02          # [s]
 CALM = 0.15 * 9.81                   # ω² W above which the node warns [m/s²]
@@ -31,9 +31,9 @@ def over(width, rate, swing, seed):
 
 def main():
     arguments = parsed(parser_of(__doc__), "walls")
-    lines = [[f"{width:g}", *(f"{sum(over(width, rate, *run) for run in RUNS)}{' ⚠' if rate ** 2 * width > CALM else ''}"
-                              for rate in RATES)] for width in WIDTHS]
-    publish(arguments, "walls", [f"{origin.text()}.", "", table(["W [m] \\ ω [rad/s]", *map("{:g}".format, RATES)], lines)])
+    lines = [[width, *(f"{sum(over(width, rate, *run) for run in RUNS)}" + " ⚠" * (rate ** 2 * width > CALM)
+                       for rate in RATES)] for width in WIDTHS]
+    publish(arguments, "walls", [f"{origin.text()}.", "", table(["W [m] \\ ω [rad/s]", *RATES], lines)])
 
 
 if __name__ == "__main__":

@@ -36,11 +36,6 @@ PAIRS = (Pair("parting_density_frequency", "density", "d", *F),
          Pair("parting_width_height", "base.tooth_width", "w [m]", "base.tooth_height", "h [m]"))
 
 
-def evaluate(rows):
-    """@return of each pair: map from (θ, x, y) to both kinds' mean velocities [m/s]"""
-    return {pair: ways(rows[pair.sweep], parting.THETA, pair.x, pair.y) for pair in PAIRS if rows[pair.sweep]}
-
-
 def draw_map(numbers):
     """The pair over which the kinds go opposite ways at both angles, at some setting."""
     figure, row = plots.panels(1, len(parting.ANGLES), (7.6, 2.6), squeeze=False)
@@ -104,7 +99,8 @@ def text(numbers):
 
 
 STUDY = Study("parting_pairs", "Two parameters other than printed (A2)",
-              tuple(pair.sweep for pair in PAIRS), evaluate,
+              tuple(pair.sweep for pair in PAIRS), lambda rows: {  # of each both kinds' velocities, by (θ, x, y)
+                  pair: ways(rows[pair.sweep], parting.THETA, pair.x, pair.y) for pair in PAIRS if rows[pair.sweep]},
               (Picture("parting_map", "Which way both kinds of Fig. 8's mixture go at the two angles of claim 6, over "
                        "width and height of the teeth, all else as printed; the dot: as printed", draw_map,
                        (PAIRS[-1].sweep,)),

@@ -83,25 +83,6 @@ class Scene:
                 "seed": {"first": seeds[0], "count": len(seeds)}}
 
 
-def spin_share(runs):
-    """Energy of rotation over that of translation."""
-    return ((runs["kinetic_rotational.A"] + runs["kinetic_rotational.B"])
-            / (runs["kinetic_translational.A"] + runs["kinetic_translational.B"]))
-
-
-def equipartition(runs):
-    return runs["kinetic_translational.A"] / runs["kinetic_translational.B"]
-
-
-def energy_kept(runs):
-    return runs["energy_end"] / runs["energy_start"]
-
-
-def weight(count_a, count_b, span):
-    """The impulse that the base of Fig. 8 has to give within that time [N s]."""
-    return (count_a * 0.010 + count_b * 0.001) * GRAVITY * span
-
-
 def bouncing_balls():
     """Balls on the period-one orbit, far from each other. A ball hits the plate once in each period 1/f, and leaves and
     meets it with the speed g / (2 f), so that its mean kinetic energy is m g^2 / (24 f^2)."""
@@ -127,8 +108,10 @@ def lossless_gas():
     settings.update({"density": 3.0, "base.amplitude": 0.0, "contact.min_rebound_speed": 0.0,
                      "pour.drop_height": 0.05, "duration": 60.0, "settle": 15.0})
     return Scene("gas", "lossless gas in equilibrium", "paper_fig8.yaml", settings,
-                 {"K_rot / K_trans": spin_share, "K_A / K_B": equipartition, "energy, end / start": energy_kept},
-                 8, METHOD,
+                 {"K_rot / K_trans": lambda runs: ((runs["kinetic_rotational.A"] + runs["kinetic_rotational.B"]) / (
+                     runs["kinetic_translational.A"] + runs["kinetic_translational.B"])),
+                  "K_A / K_B": lambda runs: runs["kinetic_translational.A"] / runs["kinetic_translational.B"],
+                  "energy, end / start": lambda runs: runs["energy_end"] / runs["energy_start"]}, 8, METHOD,
                  {"K_rot / K_trans": 0.5, "K_A / K_B": 1.0, "energy, end / start": 1.0})
 
 
@@ -145,7 +128,7 @@ DEVELOPMENT = (
           {name: LAYER[name] for name in ("drift A", "K_A", "short / long")}, 8, OF_SINGLE_DISKS),
     Scene("fig8", "Fig. 8, mixture", "paper_fig8.yaml", {"settle": FIG8_SPAN[0], "duration": FIG8_SPAN[1]},
           {**LAYER, "N m g T": "base_impulse.y"}, 10, OF_LAYERS,
-          {"N m g T": weight(262, 262, FIG8_SPAN[1] - FIG8_SPAN[0])}),
+          {"N m g T": 262 * (0.010 + 0.001) * GRAVITY * (FIG8_SPAN[1] - FIG8_SPAN[0])}),  # of the base [N s]
     Scene("fig9", "Fig. 9, separation", "paper_fig9.yaml", {"base.teeth": 40, "density": 2.0, "duration": 30.0},
           {"Q": lambda runs: runs["quality"], "P": "processed"}, 32, OF_LAYERS),
     Scene("dense", "dense heap, d = 8", "paper_fig8.yaml", {"density": 8.0, "settle": 2.0, "duration": 8.0}, LAYER, 6,
@@ -262,8 +245,7 @@ def result_lines(point):
 
 
 def cost_lines(point):
-    if point.cost is not None:
-        yield {"processor_s_per_simulated_s": f"{point.cost:.3g}"}
+    return [] if point.cost is None else [{"processor_s_per_simulated_s": f"{point.cost:.3g}"}]
 
 
 def save(directory, points, origin, with_costs):

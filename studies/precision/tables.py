@@ -66,10 +66,6 @@ ENERGIES = ("K_A", "K_B", "kinetic energy", "K_rot / K_trans")
 DRIFTS = ("drift A", "drift B")
 
 
-def speed_text(speed):
-    return f"{speed:.{0 if speed >= 10.0 else 1 if speed >= 1.0 else 2}f}"
-
-
 def seeds(points):
     return f"n = {span(sorted({mean.count for point in points for mean in point.means.values()}))}"
 
@@ -203,7 +199,8 @@ def of_scene(points):
     for point in points:
         prefix = f"{name}.{setting(point)}"
         if exact and exact.cost and point.cost and point is not exact:
-            yield f"{prefix}.speedup", speed_text(exact.cost / point.cost)
+            speed = exact.cost / point.cost
+            yield f"{prefix}.speedup", f"{speed:.{0 if speed >= 10.0 else 1 if speed >= 1.0 else 2}f}"
         if point.family == "steps":
             yield from of_errors(points, point, prefix, exact_value)
         elif name not in ("ball", "gas"):

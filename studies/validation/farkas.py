@@ -118,16 +118,14 @@ def opposite(fresh):
                           f"A {verdicts.speed(a)}, B {verdicts.speed(b)}", verdicts.opposite(a, b))
 
 
-def segregates(fresh):
-    return verdicts.above(f"on an open base Q > {USEFUL:g} ({fresh['quality_at']})", fresh["quality"], USEFUL)
-
-
 def claimer(number, word):
     def claims(numbers):
         fresh = numbers["fresh"]
         return [verdicts.Claim(number, "Farkas 2002, abstract", "two kinds of the same size that differ only in their "
                                f"{word} coefficient can be segregated by an appropriately chosen ratchet",
-                               (differs(fresh), opposite(fresh), segregates(fresh)))]
+                               (differs(fresh), opposite(fresh),
+                                verdicts.above(f"on an open base Q > {USEFUL:g} ({fresh['quality_at']})",
+                                               fresh["quality"], USEFUL)))]
     return claims
 
 

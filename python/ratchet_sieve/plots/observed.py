@@ -107,10 +107,6 @@ def plot_profile(axes, part, colour, line, label):
         each.plot(values, heights, color=colour, linestyle=line, label=label)
 
 
-def paler(colour, share):
-    return [1.0 - (1.0 - shade) * (1.0 - share) for shade in matplotlib.colors.to_rgb(colour)]
-
-
 def draw_size_classes(directory):
     """What left of each size class, by the bin, and its mean velocity."""
     table = Table(directory / 'size_classes.csv')
@@ -119,10 +115,10 @@ def draw_size_classes(directory):
     for column, (colour, (species, part)) in enumerate(zip(COLOURS, table.by('species'))):
         edges = np.append(part.numbers('radius_from', MM), part.numbers('radius_to', MM)[-1:])
         shares, velocities = axes[0, column], axes[1, column]
-        below = np.zeros(len(part))
-        for key, shade, label in (('left', 0.0, 'left'), ('right', 0.45, 'right'), ('on_base', 0.8, 'on the base')):
+        below, full = np.zeros(len(part)), np.array(matplotlib.colors.to_rgb(colour))
+        for key, paler, label in (('left', 0.0, 'left'), ('right', 0.45, 'right'), ('on_base', 0.8, 'on the base')):
             shares.bar(edges[:-1], part.numbers(key), np.diff(edges), bottom=below, align='edge',
-                       color=paler(colour, shade), edgecolor='white', linewidth=0.8, label=label)
+                       color=1.0 - (1.0 - full) * (1.0 - paler), edgecolor='white', linewidth=0.8, label=label)
             below = below + part.numbers(key)
         shares.set_title(f'Species {species}', loc='left')
         velocities.errorbar((edges[:-1] + edges[1:]) / 2.0, part.numbers('mean_vx', MM), color=colour, marker='o',
