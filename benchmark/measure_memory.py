@@ -101,9 +101,7 @@ def tables(times, watched):
 
 
 def main():
-    parser = parser_of(__doc__)
-    parser.add_argument('--short', action='store_true', help='two simulated minutes, for a test')
-    arguments = parsed(parser, 'memory')
+    arguments = parsed(parser_of(__doc__, short='two simulated minutes, for a test'), 'memory')
     duration = 120.0 if arguments.short else 3600.0
     times = [duration * k / 12 for k in range(1, 13)]
     with tempfile.TemporaryDirectory() as directory:

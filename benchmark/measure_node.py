@@ -127,9 +127,7 @@ def figures(measured, start, single):
 
 
 def main():
-    parser = parser_of(__doc__, rounds=7)
-    parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
-    arguments = parsed(parser)
+    arguments = parsed(parser_of(__doc__, rounds=7, short='few disks, one round: test only that nothing is lost'))
     about = origin.describe_physics()
     sizes, rounds, starts, single_seconds = {'large': (382, 1.0), 'fig8': (20, 15.0)}, arguments.rounds, 50, 20.0
     if arguments.short:

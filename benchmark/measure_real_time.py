@@ -44,10 +44,8 @@ def measure(benches, rounds, methods):
 
 
 def main():
-    parser = parser_of(__doc__, rounds=3)
-    parser.add_argument('--short', action='store_true',
-                        help='few disks, methods and rounds: test only that nothing is lost')
-    arguments = parsed(parser, 'real-time')
+    arguments = parsed(parser_of(__doc__, rounds=3, short='few disks, methods and rounds: test only that nothing is lost'),
+                       'real-time')
     about = origin.describe_physics()
     where = f'{origin.text(about)}, load {os.getloadavg()[1]:.1f} before the first round'
     teeth, spans, rounds = SHORT if arguments.short else (TEETH, SPANS, arguments.rounds)
