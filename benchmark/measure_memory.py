@@ -14,7 +14,7 @@ import rospy
 import yaml
 
 import ros_processes
-from ratchet_sieve import origin
+from ratchet_sieve import origin, processes
 from ratchet_sieve.msg import BinCounts
 from ratchet_sieve.srv import StepSimulation
 from ratchet_sieve.texts import table
@@ -106,7 +106,7 @@ def main():
     times = [duration * k / 12 for k in range(1, 13)]
     with tempfile.TemporaryDirectory() as directory:
         scratch = pathlib.Path(directory)
-        with ros_processes.master(scratch) as client:
+        with processes.master(scratch) as client:
             rospy.init_node('measure_memory', disable_signals=True, disable_rostime=True)
             watched = {case: watch(client, arguments.programs / 'sieve_node', scratch, case, times)
                        for case in (FED_RECORDED, FED, STAYING)}

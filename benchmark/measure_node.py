@@ -14,7 +14,7 @@ import rosbag
 import yaml
 
 import ros_processes
-from ratchet_sieve import origin
+from ratchet_sieve import origin, processes
 from report import ROOT, parsed, parser_of, quote
 
 RATE = 60  # frames of each kind per simulated second, the node's default
@@ -137,7 +137,7 @@ def main():
         scratch = pathlib.Path(directory)
         start = measure_start(arguments.programs, scratch, starts)
         single = measure_single(arguments.programs, scratch, single_seconds, rounds)
-        with ros_processes.master(scratch) as client:
+        with processes.master(scratch) as client:
             benches = {name: Bench(arguments.programs, scratch, client, *size) for name, size in sizes.items()}
             measured = {name: [bench.round() for _ in range(rounds)] for name, bench in benches.items()}
     quote(arguments, 'node', figures(measured, start, single), about)

@@ -8,9 +8,8 @@ import pathlib
 import sys
 import tempfile
 
-import ros_processes
 from measure_node import FOR_PROGRAMS, Bench
-from ratchet_sieve import origin
+from ratchet_sieve import origin, processes
 from ratchet_sieve.texts import table
 from report import parsed, parser_of, publish
 
@@ -52,7 +51,7 @@ def main():
     methods = SHORT_METHODS if arguments.short else [*METHODS]
     with tempfile.TemporaryDirectory() as directory:
         scratch = pathlib.Path(directory)
-        with ros_processes.master(scratch) as client:
+        with processes.master(scratch) as client:
             benches = {name: [Bench(arguments.programs, scratch, client, teeth, span, **keys) for span in spans]
                        for name, (keys, _) in METHODS.items() if name in methods}
             walls, lost = measure(benches, rounds, methods)
