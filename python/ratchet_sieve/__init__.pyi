@@ -6,6 +6,7 @@ from . import origin as origin
 from . import plots as plots
 from . import stats as stats
 from . import tables as tables
+from ._engine import __version__ as __version__
 from .answers import separate as separate
 from .answers.answer import Answer as Answer
 from .answers.front import Front as Front
@@ -31,5 +32,3 @@ from .sweeps import read_sweep as read_sweep
 from .sweeps import sweep as sweep
 from .values import Summary as Summary
 from .values import Values as Values
-
-__version__: str

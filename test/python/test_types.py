@@ -18,8 +18,8 @@ TYPED = ("__init__.pyi", "arguments.py", "bags.py", "errors.py", "goals.py", "pr
 def test_the_stub_has_the_names_of_the_package():
     stub = ast.parse((SOURCES / "__init__.pyi").read_text(encoding="utf-8"))
     there = {name for name in rs._SUBMODULES if importlib.util.find_spec(f"ratchet_sieve.{name}")}
-    names = {alias.asname for line in stub.body if isinstance(line, ast.ImportFrom) for alias in line.names}
-    assert names | {"__version__"} == {*rs._NAMES, *there}
+    assert {alias.asname for line in stub.body if isinstance(line, ast.ImportFrom) for alias in line.names} == {
+        *rs._NAMES, *there}
 
 
 @pytest.mark.skipif(not shutil.which("mypy"), reason="mypy is not installed")
