@@ -1,7 +1,7 @@
 """Addition A8: whether a base that is shaken along its own normal parts Fig. 8's mixture at the paper's angles."""
 from paper import parting
-from paper.parting import ANGLES, THETA
-from study import WAYS, Picture, Study, csv_lines, ways
+from paper.parting import ANGLES
+from study import THETA, WAYS, Picture, Study, csv_lines, ways
 import verdicts
 
 FRAME = "base.drive_frame"

@@ -1,10 +1,9 @@
 """Claim 13: single disks of several radii on a level base. Larger disks feel the ratchet less, as Fig. 6 says."""
 from ratchet_sieve import plots
-from study import Picture, Study, axis, csv_lines, named_curves, over
+from study import F, Picture, Study, axis, csv_lines, named_curves, over
 import verdicts
 
 R = "species.0.radius"
-F = "base.frequency"
 SMALL, LARGE = 0.001, 0.004  # m, as in Fig. 7
 
 

@@ -1,11 +1,9 @@
 """Fig. 7: the mean velocity of small and of large single disks over the frequency, for several inclinations."""
 from ratchet_sieve import plots
 from ratchet_sieve.texts import shown
-from study import Picture, Study, axis, csv_lines, means
+from study import F, THETA, Picture, Study, axis, csv_lines, means
 import verdicts
 
-THETA = "base.inclination"
-F = "base.frequency"
 KINDS = {"A": "r = 1 mm", "B": "r = 4 mm"}
 SHOWN = 23.0  # Hz
 

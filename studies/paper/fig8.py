@@ -4,9 +4,9 @@ from ratchet_sieve.tables import joined
 from ratchet_sieve.texts import table
 from curves import TURNS, turns_of
 from paper import parting
-from paper.fig7 import F, THETA, draw_kinds, more_moved, velocities, velocity_lines
+from paper.fig7 import draw_kinds, more_moved, velocities, velocity_lines
 from paper.parting import ANGLES
-from study import Picture, Study, axis, told
+from study import F, THETA, Picture, Study, axis, told
 import verdicts
 
 SHOWN = 23.0  # Hz, as in Fig. 3

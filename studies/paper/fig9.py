@@ -3,12 +3,9 @@ from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows, departed, joined
 from ratchet_sieve.texts import table
 from curves import best_of
-from study import Picture, Study, csv_lines, family, means, told
+from study import D, TEETH, THETA, Picture, Study, csv_lines, family, means, told
 import verdicts
 
-THETA = "base.inclination"
-TEETH = "base.teeth"
-DENSITY = "density"
 SWEEPS = ("paper_fig9", "paper_fig9_long", "paper_fig9_peak_thin", "paper_fig9_peak_short", "paper_fig9_peak_dense",
           "paper_fig9_dense")
 EMPTY = 0.99  # of all disks: so many have left a base that counts as emptied
@@ -20,7 +17,7 @@ def evaluate(rows):
     numbers = {"Q": {}, "P": {}, "left": {}, "best": {}}
     # Some cases are in two sweeps.
     every = Rows(joined(*(rows[name] for name in SWEEPS)).frame.drop_duplicates("run_hash", keep="last"))
-    for place, group in every.by(TEETH, DENSITY).items():
+    for place, group in every.by(TEETH, D).items():
         for what, field in (("Q", "quality"), ("P", "processed"), ("left", departed)):
             numbers[what][place] = list(means(group, field, THETA).items())
         numbers["best"][place] = best_of(group, THETA, "quality")

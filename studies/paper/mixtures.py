@@ -1,10 +1,9 @@
 """Section 3.2.1: mixtures of kinds that have the same radius or the same mass, against the mixture of Fig. 8."""
 from ratchet_sieve import plots
 from curves import TURNS, best_of, turns_of
-from study import Picture, Study, csv_lines, means
+from study import THETA, Picture, Study, csv_lines, means
 import verdicts
 
-THETA = "base.inclination"
 KEYS = ("species.0.radius", "species.0.mass", "species.1.radius", "species.1.mass")
 REFERENCE = (0.001, 0.01, 0.002, 0.001)  # A and B of Fig. 8: radius [m], mass [kg] of each
 NAMES = {

@@ -1,12 +1,10 @@
 """Addition A3: why Q on an open base is best near θ = 0.1, where the kinds of Fig. 8 do not part at d = 3.93."""
 from ratchet_sieve import plots
 from ratchet_sieve.tables import joined
-from paper.parting import ANGLES, D, PRINTED, parted
-from study import WAYS, Picture, Study, csv_lines, family, means
+from paper.parting import ANGLES, PRINTED, parted
+from study import D, TEETH, THETA, WAYS, Picture, Study, csv_lines, family, means
 import verdicts
 
-THETA = "base.inclination"
-TEETH = "base.teeth"
 WINDOW = ("settle", "duration")
 WHOLE = (0.0, 60.0)  # s: the window of Q
 CLAIMED = ANGLES[0]  # where the paper has A go right and B left [rad]

@@ -2,11 +2,9 @@
 inclinations in which they do, over the density."""
 from ratchet_sieve import plots
 from curves import TURNS, turns_of
-from study import Picture, Study, csv_lines, told, ways
+from study import D, THETA, Picture, Study, csv_lines, told, ways
 import verdicts
 
-THETA = "base.inclination"
-D = "density"
 PRINTED = 3.93           # the paper's density
 ANGLES = (0.105, 0.157)  # where the paper has A go to the right and B to the left [rad]
 NEEDED = ANGLES[1] - ANGLES[0]  # the least width of a window that has both angles in it

@@ -5,7 +5,7 @@ import dataclasses
 
 from ratchet_sieve import plots
 from paper import parting
-from study import Picture, Study, axis, ways
+from study import THETA, Picture, Study, axis, ways
 
 # As printed, and as in the scenes where the paper leaves a value open.
 PRINTED = {"density": 3.93, "base.asymmetry": 0.3, "base.frequency": 23.0, "base.amplitude": 0.002,
@@ -100,7 +100,7 @@ def text(numbers):
 
 STUDY = Study("parting_pairs", "Two parameters other than printed (A2)",
               tuple(pair.sweep for pair in PAIRS), lambda rows: {  # of each both kinds' velocities, by (θ, x, y)
-                  pair: ways(rows[pair.sweep], parting.THETA, pair.x, pair.y) for pair in PAIRS if rows[pair.sweep]},
+                  pair: ways(rows[pair.sweep], THETA, pair.x, pair.y) for pair in PAIRS if rows[pair.sweep]},
               (Picture("parting_map", "Which way both kinds of Fig. 8's mixture go at the two angles of claim 6, over "
                        "width and height of the teeth, all else as printed; the dot: as printed", draw_map,
                        (PAIRS[-1].sweep,)),

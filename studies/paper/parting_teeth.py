@@ -1,8 +1,8 @@
 """Additions A2, A6, A7, by fresh seeds: claim 6 on the teeth that the maps of two parameters found."""
 from ratchet_sieve import plots
 from paper import parting
-from paper.parting import ANGLES, THETA
-from study import WAYS, Picture, Study, csv_lines, ways
+from paper.parting import ANGLES
+from study import THETA, WAYS, Picture, Study, csv_lines, ways
 import verdicts
 
 W, H = "base.tooth_width", 0.009  # m: the height of all of them

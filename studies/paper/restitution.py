@@ -1,9 +1,8 @@
 """Claim 14: the restitution changes the mean velocity of single disks, as section 3.1.2 remarks."""
 from ratchet_sieve import plots
-from study import Picture, Study, csv_lines, means
+from study import E, Picture, Study, csv_lines, means
 import verdicts
 
-E = "species.0.restitution"
 PRINTED = 0.6
 
 

@@ -2,10 +2,9 @@
 import math
 
 from ratchet_sieve import plots
-from study import Picture, Study, axis, csv_lines, named_curves
+from study import E, Picture, Study, axis, csv_lines, named_curves
 import verdicts
 
-E = "species.0.restitution"
 HEIGHT = "base.tooth_height"
 AMPLITUDE = "base.amplitude"
 WIDTH = 0.005    # of the teeth [m]

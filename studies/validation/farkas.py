@@ -7,10 +7,8 @@ from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows
 from ratchet_sieve.texts import shown
 from curves import best_of
-from study import WAYS, Picture, Study, axis, csv_lines, kind_curves, over
+from study import THETA, WAYS, Picture, Study, axis, csv_lines, kind_curves, over
 import verdicts
-
-THETA = "base.inclination"
 
 
 @dataclasses.dataclass(frozen=True)

@@ -1,10 +1,8 @@
 """One ball over the asymmetry of the teeth (Okishio, Ito, Kitahata 2022)."""
 from ratchet_sieve import plots
-from study import Picture, Study, axis, csv_lines, family, means
+from study import A, E, Picture, Study, axis, csv_lines, family, means
 import verdicts
 
-E = "species.0.restitution"
-A = "base.asymmetry"
 SYMMETRIC = 0.5
 
 

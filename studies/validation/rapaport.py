@@ -1,11 +1,8 @@
 """Large and small disks of one material in a layer on a level base (Rapaport 2001)."""
 from ratchet_sieve import plots
-from study import Picture, Study, axis, csv_lines, kind_curves, ways
+from study import D, E, F, Picture, Study, axis, csv_lines, kind_curves, ways
 import verdicts
 
-D = "density"
-F = "base.frequency"
-E = "species.0.restitution"
 KINDS = ("small", "large")
 
 
