@@ -54,7 +54,9 @@ def draw(numbers):
     for empty in cells:
         for axes in empty:
             axes.axis("off")
-        plots.lone_legend(empty[0], parting.COLOURS)
+        legend = plots.class_legend(empty[0], parting.COLOURS)
+        legend.set_bbox_to_anchor((0.0, 0.5))
+        legend.set_in_layout(False)
     return figure
 
 

@@ -2,6 +2,6 @@
 into matplotlib's axes, and need no screen."""
 from ratchet_sieve.plots.curves import curve, distribution, end_labels, key_colours, ramp, signed, signed_ramp
 from ratchet_sieve.plots.machine import machine, trajectories
-from ratchet_sieve.plots.maps import class_legend, class_map, label_cells, lone_legend, mark_cells, value_map
+from ratchet_sieve.plots.maps import class_legend, class_map, mark_cells, value_map
 from ratchet_sieve.plots.results import bins, displacements, sweep_curves, sweep_map, tracks
 from ratchet_sieve.plots.style import COLOURS, GREY, MM, beside, drawing, panels, save, say_undefined, styled
