@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 
 from ratchet_sieve import origin
-from report import parsed, parser_of, quote
+from report import benchmarks, parsed, parser_of, quote
 
 LARGE = 38168  # teeth: a million disks
 LARGE_SCENE = '''
@@ -23,19 +23,15 @@ duration: 0.07
 '''
 
 
-def collisions(program, rounds):
+def collisions(arguments):
     """Of the best round, which other load on the machine disturbs least.
     @return benchmark -> collisions per second; processor time of an iteration [ms]"""
     best, times = {}, {}
-    command = [program, '--benchmark_filter=^(mixture/|singleParticles|wideSizes|lognormalSizes|slewing)',
-               '--benchmark_format=json']
-    for _ in range(rounds):
-        finished = subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-        for run in json.loads(finished.stdout)['benchmarks']:
-            if 'collisions' in run:
-                name = run['name'].replace('/real_time', '')
-                best[name] = max(best.get(name, 0.0), run['collisions'])
-                times[name] = min(times.get(name, math.inf), run['cpu_time'])
+    for run in benchmarks(arguments, 'mixture/|singleParticles|wideSizes|lognormalSizes|slewing', arguments.rounds):
+        if 'collisions' in run:
+            name = run['name'].replace('/real_time', '')
+            best[name] = max(best.get(name, 0.0), run['collisions'])
+            times[name] = min(times.get(name, math.inf), run['cpu_time'])
     return best, times
 
 
@@ -99,10 +95,9 @@ def main():
     arguments = parsed(parser_of(__doc__, rounds=5))
     memory = {f'bytes_per_disk{name}': f'{bytes_per_disk(arguments.programs / "sieve_run", LARGE, threads):.0f}'
               for threads, name in ((1, ''), (2, '_two_threads'))}
-    program = arguments.programs / 'engine_benchmark'
-    two_jobs = two_over_one(program, arguments.rounds)
+    two_jobs = two_over_one(arguments.programs / 'engine_benchmark', arguments.rounds)
     about = origin.describe_physics()
-    quote(arguments, 'engine', {**figures(*collisions(program, arguments.rounds), two_jobs), **memory}, about)
+    quote(arguments, 'engine', {**figures(*collisions(arguments), two_jobs), **memory}, about)
 
 
 if __name__ == '__main__':

@@ -14,7 +14,7 @@ import rospy
 import yaml
 
 import ros_processes
-from ratchet_sieve import origin
+from ratchet_sieve import origin, processes
 from ratchet_sieve.msg import BinCounts
 from ratchet_sieve.srv import StepSimulation
 from ratchet_sieve.texts import table
@@ -101,14 +101,12 @@ def tables(times, watched):
 
 
 def main():
-    parser = parser_of(__doc__)
-    parser.add_argument('--short', action='store_true', help='two simulated minutes, for a test')
-    arguments = parsed(parser, 'memory')
+    arguments = parsed(parser_of(__doc__, short='two simulated minutes, for a test'), 'memory')
     duration = 120.0 if arguments.short else 3600.0
     times = [duration * k / 12 for k in range(1, 13)]
     with tempfile.TemporaryDirectory() as directory:
         scratch = pathlib.Path(directory)
-        with ros_processes.master(scratch) as client:
+        with processes.master(scratch) as client:
             rospy.init_node('measure_memory', disable_signals=True, disable_rostime=True)
             watched = {case: watch(client, arguments.programs / 'sieve_node', scratch, case, times)
                        for case in (FED_RECORDED, FED, STAYING)}

@@ -14,7 +14,7 @@ import rosbag
 import yaml
 
 import ros_processes
-from ratchet_sieve import origin
+from ratchet_sieve import origin, processes
 from report import ROOT, parsed, parser_of, quote
 
 RATE = 60  # frames of each kind per simulated second, the node's default
@@ -127,9 +127,7 @@ def figures(measured, start, single):
 
 
 def main():
-    parser = parser_of(__doc__, rounds=7)
-    parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
-    arguments = parsed(parser)
+    arguments = parsed(parser_of(__doc__, rounds=7, short='few disks, one round: test only that nothing is lost'))
     about = origin.describe_physics()
     sizes, rounds, starts, single_seconds = {'large': (382, 1.0), 'fig8': (20, 15.0)}, arguments.rounds, 50, 20.0
     if arguments.short:
@@ -139,7 +137,7 @@ def main():
         scratch = pathlib.Path(directory)
         start = measure_start(arguments.programs, scratch, starts)
         single = measure_single(arguments.programs, scratch, single_seconds, rounds)
-        with ros_processes.master(scratch) as client:
+        with processes.master(scratch) as client:
             benches = {name: Bench(arguments.programs, scratch, client, *size) for name, size in sizes.items()}
             measured = {name: [bench.round() for _ in range(rounds)] for name, bench in benches.items()}
     quote(arguments, 'node', figures(measured, start, single), about)

@@ -8,9 +8,8 @@ import pathlib
 import sys
 import tempfile
 
-import ros_processes
 from measure_node import FOR_PROGRAMS, Bench
-from ratchet_sieve import origin
+from ratchet_sieve import origin, processes
 from ratchet_sieve.texts import table
 from report import parsed, parser_of, publish
 
@@ -44,17 +43,15 @@ def measure(benches, rounds, methods):
 
 
 def main():
-    parser = parser_of(__doc__, rounds=3)
-    parser.add_argument('--short', action='store_true',
-                        help='few disks, methods and rounds: test only that nothing is lost')
-    arguments = parsed(parser, 'real-time')
+    arguments = parsed(parser_of(__doc__, rounds=3, short='few disks, methods and rounds: test only that nothing is lost'),
+                       'real-time')
     about = origin.describe_physics()
     where = f'{origin.text(about)}, load {os.getloadavg()[1]:.1f} before the first round'
     teeth, spans, rounds = SHORT if arguments.short else (TEETH, SPANS, arguments.rounds)
     methods = SHORT_METHODS if arguments.short else [*METHODS]
     with tempfile.TemporaryDirectory() as directory:
         scratch = pathlib.Path(directory)
-        with ros_processes.master(scratch) as client:
+        with processes.master(scratch) as client:
             benches = {name: [Bench(arguments.programs, scratch, client, teeth, span, **keys) for span in spans]
                        for name, (keys, _) in METHODS.items() if name in methods}
             walls, lost = measure(benches, rounds, methods)

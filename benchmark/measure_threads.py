@@ -6,28 +6,17 @@ Model: T(p) = alone + (T - alone) / (events / critical events) + 2 windows meeti
 T, of which `alone` is between windows; the critical events of a window are those of the strip with the most and of the
 cut with the most, and p threads meet twice, in a time that grows as their number. It knows nothing of memory.
 """
-import json
 import statistics
-import subprocess
 
 from ratchet_sieve import origin
 from ratchet_sieve.texts import table
-from report import parsed, parser_of, publish
+from report import benchmarks, parsed, parser_of, publish
 
 LAYERS = ((20, '524'), (153, '4,008'), (382, '10,008'), (3817, '100,004'))
 QUEUE, ONE, TWO = range(3)
 MODELLED = ((20, '524'), (382, '10,008'), (3817, '100,004'), (38170, '1,000,054'))
 THREADS = (2, 4, 16, 64)
 M = 1e-6
-
-
-def run(program, benchmarks, repetitions=1):
-    """@return the runs of some benchmarks, which take turns"""
-    finished = subprocess.run(
-        [program, f'--benchmark_filter=^({benchmarks})', '--benchmark_format=json',
-         f'--benchmark_repetitions={repetitions}', '--benchmark_enable_random_interleaving=true'],
-        check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-    return [run for run in json.loads(finished.stdout)['benchmarks'] if run['run_type'] == 'iteration']
 
 
 def by_arguments(runs):
@@ -107,11 +96,11 @@ def model(strips, layers, meeting):
 
 def main():
     arguments = parsed(parser_of(__doc__, rounds=11), 'threads')
-    program, about = arguments.programs / 'engine_benchmark', origin.describe_physics()
-    layers = by_arguments(run(program, 'mixtureOnThreads', arguments.rounds))
-    meeting = 1.0 / run(program, 'meetingOfTwoThreads')[0]['meetings']
+    about = origin.describe_physics()
+    layers = by_arguments(benchmarks(arguments, 'mixtureOnThreads', arguments.rounds))
+    meeting = 1.0 / benchmarks(arguments, 'meetingOfTwoThreads')[0]['meetings']
     publish(arguments, 'threads', tables(layers, arguments.rounds, about), figures(layers), about)
-    print(*model(by_arguments(run(program, 'mixtureInStrips')), layers, meeting), sep='\n')
+    print(*model(by_arguments(benchmarks(arguments, 'mixtureInStrips')), layers, meeting), sep='\n')
 
 
 if __name__ == '__main__':

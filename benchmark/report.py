@@ -1,6 +1,8 @@
 """What the measurements have in common: their arguments, and the document that their tables go into."""
 import argparse
+import json
 import pathlib
+import subprocess
 
 from ratchet_sieve import documents, origin
 from ratchet_sieve.texts import table
@@ -8,12 +10,15 @@ from ratchet_sieve.texts import table
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
-def parser_of(about, rounds=None):
+def parser_of(about, rounds=None, short=None):
+    """@param rounds default of an option; None: there is none. @param short help of an option; None: there is none"""
     parser = argparse.ArgumentParser(description=about)
     parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve', metavar='DIR',
                         help='where the programs are')
     if rounds:
         parser.add_argument('--rounds', type=int, default=rounds, help=f'repetitions (default: {rounds})')
+    if short:
+        parser.add_argument('--short', action='store_true', help=short)
     parser.add_argument('--write', type=pathlib.Path, metavar='FILE',
                         help='put the table between the marks of this document')
     return parser
@@ -26,6 +31,15 @@ def parsed(parser, *marks):
         for mark in marks:
             documents.require_place(parser, arguments.write, mark)
     return arguments
+
+
+def benchmarks(arguments, wanted, rounds=1):
+    """@param wanted the beginning of their names. @return the runs of engine_benchmark, which take turns"""
+    finished = subprocess.run(
+        [arguments.programs / 'engine_benchmark', f'--benchmark_filter=^({wanted})', '--benchmark_format=json',
+         f'--benchmark_repetitions={rounds}', '--benchmark_enable_random_interleaving=true'],
+        check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    return [run for run in json.loads(finished.stdout)['benchmarks'] if run['run_type'] == 'iteration']
 
 
 def publish(arguments, mark, lines, figures=None, about=None):

@@ -1,10 +1,9 @@
-"""Starts a ROS master, nodes and listeners, and takes the wall time of programs. As a program it is the listener to a
+"""Starts nodes and listeners, and takes the wall time of programs. As a program it is the listener to a
 topic of a sieve: it prints a line when the first message is there. When a line comes on standard input it prints, as
 JSON, the length in bytes of all messages, and their simulated times where they have a header and a time."""
 import contextlib
 import dataclasses
 import json
-import os
 import re
 import select
 import struct
@@ -12,11 +11,10 @@ import subprocess
 import sys
 import time
 
-import rosgraph
 import rospy
 from std_srvs.srv import Empty
 
-from ratchet_sieve.processes import TIMEOUT, free_port, wait_for
+from ratchet_sieve.processes import TIMEOUT, wait_for
 
 LAST = 5.0        # for a listener's connection to end [s]
 BUFFER = 1 << 24  # bytes: more than a message of very many disks
@@ -43,29 +41,6 @@ def run(command):
     begin = time.time()
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         return finish(process, begin)
-
-
-def choose_master(scratch):
-    """Makes a free port that of the master; logs go into the scratch directory. @return the port"""
-    port = str(free_port())
-    os.environ.update(ROS_MASTER_URI=f'http://localhost:{port}', ROS_HOSTNAME='localhost', ROS_HOME=str(scratch),
-                      ROS_LOG_DIR=str(scratch / 'log'), ROSCONSOLE_FORMAT='${walltime} ${message}')
-    os.environ.pop('ROS_IP', None)
-    return port
-
-
-@contextlib.contextmanager
-def master(scratch):
-    """A roscore that ends with the block."""
-    core = subprocess.Popen(['roscore', '-p', choose_master(scratch)],
-                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    try:
-        client = rosgraph.Master('/measure_node')
-        wait_for(lambda: core.poll() is None and client.is_online(), 'roscore answers')
-        yield client
-    finally:
-        core.terminate()
-        core.wait()
 
 
 @contextlib.contextmanager

@@ -12,6 +12,12 @@ export PATH=/usr/bin:$PATH
 export ROS_HOSTNAME=localhost
 unset ROS_IP
 
+# Prints the comment at the head of the script: its usage.
+usage()
+{
+  sed -n '2,/^[^#]/s/^# \?//p' "$0"
+}
+
 say()
 {
   printf '\n== %s\n' "$*"

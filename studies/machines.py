@@ -52,12 +52,6 @@ def search(name, results, out):
     return fronts
 
 
-def lines_of(name, fronts):
-    for kind, front in fronts.items():
-        for part, rows in (("tried", front.tried), ("front", front.table)):
-            yield rows.assign(mixture=name, machines=kind, part=part)
-
-
 def cell(row):
     if row is None:
         return "—"
@@ -103,7 +97,9 @@ def main():
     warnings.simplefilter("ignore", rs.SieveWarning)
     options.results.parent.mkdir(parents=True, exist_ok=True)
     found = {name: search(name, options.results, options.out.parent / "config") for name in MIXTURES}
-    pandas.concat([part for name, fronts in found.items() for part in lines_of(name, fronts)]).to_csv(
+    pandas.concat([rows.assign(mixture=name, machines=kind, part=part) for name, fronts in found.items()
+                   for kind, front in fronts.items()
+                   for part, rows in (("tried", front.tried), ("front", front.table))]).to_csv(
         options.out / "data/machines.csv", index=False, float_format="%.6g")
     plots.save(draw(found), options.out / "images/machines.png", svg=False, bbox_inches="tight")
     about = wrapped(f"{origin.text()}.")

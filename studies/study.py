@@ -5,6 +5,10 @@ from typing import Callable
 from ratchet_sieve import plots
 from ratchet_sieve.texts import span
 
+# Keys of sweeps.
+THETA, F, TEETH, A = "base.inclination", "base.frequency", "base.teeth", "base.asymmetry"
+D, E = "density", "species.0.restitution"
+
 
 def means(rows, field, *keys):
     """@return map from the values of these keys, in order, to the field's Mean"""

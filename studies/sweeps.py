@@ -43,7 +43,7 @@ def export(program, definition, results, jobs, draw_only=False, output=None):
 
 
 def call(program, arguments, allowed, output):
-    """@return the exit status, one of those allowed. @throws SweepFailed"""
+    """@param allowed exit statuses. @throws SweepFailed"""
     try:
         done = subprocess.run([str(program), *arguments], stdout=output or subprocess.DEVNULL,
                               stderr=None if output else subprocess.PIPE, text=True, check=False)
@@ -52,7 +52,6 @@ def call(program, arguments, allowed, output):
     if done.returncode not in allowed:
         said = (done.stderr or "").strip().splitlines()
         raise SweepFailed(said[-1] if said else f"sieve_sweep {arguments[0]} ended with {done.returncode}")
-    return done.returncode
 
 
 def processor_time():

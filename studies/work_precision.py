@@ -49,25 +49,19 @@ def measure(arguments):
                 not arguments.errors_only)
 
 
-def texts(groups):
-    """@return mark -> the table between them"""
-    held_out = {scene.name for scene in points.held_out()}
-    development = {name: own for name, own in groups.items() if name not in held_out}
-    tested = {name: own for name, own in groups.items() if name in held_out}
-    return dict(zip(MARKS, (tables.bounds(development), tables.claims(tested), tables.floors(development))))
-
-
 def main():
     arguments = read_arguments()
     if not arguments.draw_only:
         measure(arguments)
     every = points.planned()
     results, costs = points.load(arguments.out / "data", every)
-    large = [point for point in every if point.scene.name.startswith("large")]
-    groups = points.by_scene(point for point in every if point.is_measured() and point not in large)
-    for mark, text in texts(groups).items():
+    development, held_out, large = (points.of_scenes(every, scenes)
+                                    for scenes in (points.DEVELOPMENT, points.HELD_OUT, points.LARGE))
+    figures = tables.figures({**development, **held_out}, large, results, costs)
+    for mark, text in zip(MARKS, (tables.bounds(development, figures), tables.claims(held_out),
+                                  tables.floors(development, figures))):
         documents.put(arguments.out / "accuracy.md", mark, text)
-    documents.write_figures(arguments.out / "data/accuracy.json", tables.figures(groups, large, results, costs))
+    documents.write_figures(arguments.out / "data/accuracy.json", figures)
 
 
 if __name__ == "__main__":

@@ -6,17 +6,15 @@ gives the same film on a slow machine. Run it where `rosrun ratchet_sieve` works
 
 import argparse
 import contextlib
-import os
 import subprocess
 import tempfile
 from pathlib import Path
 
 import numpy
-import rosgraph
 import rospy
 from std_msgs.msg import Float64
 
-from ratchet_sieve.processes import free_port, wait_for
+from ratchet_sieve.processes import master, wait_for
 from ratchet_sieve.srv import StepSimulation
 from ratchet_sieve.virtual_screen import VirtualScreen
 
@@ -46,12 +44,7 @@ def arguments():
 
 @contextlib.contextmanager
 def paused_sieve(screen, options):
-    """A sieve at its beginning, in RViz on the screen, with a master of its own."""
-    screen.environment['ROS_MASTER_URI'] = os.environ['ROS_MASTER_URI'] = uri = f'http://localhost:{free_port()}'
-    screen.environment['ROS_HOSTNAME'] = os.environ['ROS_HOSTNAME'] = 'localhost'
-    core = screen.start(['roscore', '-p', uri.rpartition(':')[2]], stdout=subprocess.DEVNULL)
-    master = rosgraph.Master('/film')
-    wait_for(master.is_online, 'roscore answers')
+    """A sieve at its beginning, in RViz on the screen."""
     changes = f'{{base.teeth: {options.teeth}}}' if options.teeth else '{}'
     launch = screen.start(['roslaunch', 'ratchet_sieve', 'sieve.launch', f'scene:={options.scene.resolve()}',
                            f'set:={changes}',
@@ -64,7 +57,6 @@ def paused_sieve(screen, options):
     finally:
         rospy.signal_shutdown('done')
         screen.end(launch)
-        screen.end(core)
 
 
 class Film:
@@ -103,7 +95,7 @@ def write(pixels, path, *operations):
 
 def take(options, frames):
     """Steps through the run; writes the still, and every frame into a directory."""
-    with VirtualScreen() as screen, paused_sieve(screen, options):
+    with master(frames), VirtualScreen() as screen, paused_sieve(screen, options):
         setpoint = rospy.Publisher('/sieve/inclination_setpoint', Float64, queue_size=1, latch=True)
         step = rospy.ServiceProxy('/sieve/step', StepSimulation)
         step.wait_for_service()

@@ -48,18 +48,13 @@ def _read(bag: Any, path: str) -> Recording:
                   for message in _messages(bag, DISKS, path)},
         "base": {message.time: {name: getattr(message, name) for name in _engine.BASE_FIELDS}
                  for message in _messages(bag, BASE, path)},
-        "bins": {message.time: _bins(message) for message in _messages(bag, BINS, path)}}
+        "bins": {message.time: [{name: getattr(message, name)[k].item() for name in _engine.BIN_FIELDS}
+                                for k in range(len(message.species))] for message in _messages(bag, BINS, path)}}
     times = sorted(set.intersection(*(set(frames) for frames in lists.values())))
     if not times:
         raise BagError(f"{path}: at no time disks, base and bins were all recorded")
     return Recording(scene, Frames(scene.species, {kind: [(time, frames[time]) for time in times]
                                                    for kind, frames in lists.items()}), path)
-
-
-def _bins(message: Any) -> list[dict]:
-    """One dict a species."""
-    return [{name: getattr(message, name)[k].item() for name in _engine.BIN_FIELDS}
-            for k in range(len(message.species))]
 
 
 def _messages(bag: Any, datatype: str, path: str) -> Iterator[Any]:

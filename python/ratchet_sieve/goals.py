@@ -59,7 +59,9 @@ class Goal:
             if self.measure == "recovery":
                 return _share(wanted, self._amount(bins[:, self.own], _OTHER_SIDE[side]))
             everything = self._amount(bins, *_OTHER_SIDE)
-            return _flow(everything if self.measure == "throughput" else wanted, everything, durations)
+            part = everything if self.measure == "throughput" else wanted
+            error = np.sqrt(part.with_one_more(everything).variance) / durations
+            return _defined(part.sum / durations, error, (durations > 0.0) & (everything.disks > 0.0))
 
     def _amount(self, bins: np.ndarray, *sides: tuple[int, int]) -> _Amount:
         numbers, masses = zip(*sides)
@@ -93,11 +95,6 @@ def _share(part: _Amount, rest: _Amount) -> Measured:
     share = more.sum / whole
     error = np.sqrt((1.0 - share) ** 2 * more.variance + share ** 2 * more_rest.variance) / whole
     return _defined(part.sum / (part.sum + rest.sum), error, part.disks + rest.disks > 0.0)
-
-
-def _flow(part: _Amount, everything: _Amount, durations: np.ndarray) -> Measured:
-    return _defined(part.sum / durations, np.sqrt(part.with_one_more(everything).variance) / durations,
-                    (durations > 0.0) & (everything.disks > 0.0))
 
 
 def _quality(bins: np.ndarray) -> Measured:

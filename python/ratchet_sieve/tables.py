@@ -55,44 +55,6 @@ def column_of(frame, name, path):
     return frame[name]
 
 
-class Table:
-    """A table of a run, by its columns, which are named without their units. A field is a text until it is asked for as
-    a number."""
-
-    def __init__(self, path, frame=None):
-        self.path = path
-        if frame is None:
-            frame = read_csv(path)
-            frame.columns = [column.split(" [")[0] for column in frame.columns]
-        self.frame = frame
-
-    def __len__(self):
-        return len(self.frame)
-
-    def texts(self, column):
-        return column_of(self.frame, column, self.path)
-
-    def numbers(self, column, scale=1.0):
-        """An array. An empty field is undefined: NaN, which interrupts a drawn line."""
-        texts = self.texts(column)
-        values = pandas.to_numeric(texts.where(texts != "", "nan"), errors="coerce").astype(float)
-        wrong = texts[values.isna() & ~texts.str.lower().isin(("", "nan"))]
-        if len(wrong):
-            raise Refusal(f"{self.path}: {column}: {wrong.iloc[0]}: must be a number")
-        return scale * values.to_numpy()
-
-    def values(self, column):
-        """The distinct values of a column, in the order of the file."""
-        return list(self.texts(column).unique())
-
-    def where(self, column, value):
-        return Table(self.path, self.frame[self.texts(column) == value])
-
-    def by(self, column):
-        """@return pairs of each value of a column and its part of the table"""
-        return [(value, self.where(column, value)) for value in self.values(column)]
-
-
 def typed(text):
     """A field as a number or as text; None where it is not defined."""
     if text == "":
@@ -104,8 +66,8 @@ def typed(text):
 
 
 class Rows:
-    """The runs of a sweep that are done, in its order, as a DataFrame with numbers and texts. What is not defined is
-    NaN or None there, and left out here."""
+    """The lines of a table as a DataFrame: those of a table of a run, of texts; or the runs of a sweep that are done, in
+    its order, with numbers and texts. What is not defined is NaN or None there, and left out here."""
 
     def __init__(self, lines=(), path="", failed=0):
         """@param lines a DataFrame, or maps from column to value. @param failed runs that are not among these"""
@@ -135,11 +97,21 @@ class Rows:
         return sorted(self.column(key).dropna().unique(), key=lambda value: (isinstance(value, str), value))
 
     def by(self, *keys):
-        """@return map from the values of these keys, in order, to their rows; of one key, from its value"""
+        """@return map from the values of these keys, in the order of the lines, to their rows; of one key, from its value"""
         if not len(self):
             return {}
-        groups = self.frame.groupby(list(keys) if len(keys) > 1 else keys[0], sort=False)
+        columns = [self.column(key) for key in keys]
+        groups = self.frame.groupby(columns if len(keys) > 1 else columns[0], sort=False)
         return {place: Rows(group, self.path) for place, group in groups}
+
+    def numbers(self, name, scale=1.0):
+        """A column of texts as an array. An empty field is undefined: NaN, which interrupts a drawn line."""
+        texts = column_of(self.frame, name, self.path)
+        values = pandas.to_numeric(texts.where(texts != "", "nan"), errors="coerce").astype(float)
+        wrong = texts[values.isna() & ~texts.str.lower().isin(("", "nan"))]
+        if len(wrong):
+            raise Refusal(f"{self.path}: {name}: {wrong.iloc[0]}: must be a number")
+        return scale * values.to_numpy()
 
     def samples(self, field):
         """The defined values of a column, or of a function of the DataFrame: one for each run."""
@@ -157,6 +129,12 @@ class Rows:
             mean = self.mean("separation")
             return mean and dataclasses.replace(mean, value=abs(mean.value))
         return stats.mean_of(self.samples(field))
+
+
+def read_table(path):
+    """A table of a run, whose columns are named without their units. @return Rows of texts"""
+    frame = read_csv(path)
+    return Rows(frame.rename(columns=lambda column: column.split(" [")[0]), path)
 
 
 def same(a, b):

@@ -4,10 +4,9 @@ import dataclasses
 from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows, joined
 from curves import best_of
-from study import Picture, Study, csv_lines, family, means
+from study import THETA, Picture, Study, csv_lines, family, means
 import verdicts
 
-THETA = "base.inclination"
 FROM, TO = "pour.from", "pour.to"
 SHARE = 1.0 / 3.0  # of the loss on the whole base: at most this is left with a chute
 

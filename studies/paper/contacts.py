@@ -13,10 +13,6 @@ ROUNDING = 0.015     # "about 0.53": nearer to it than to 0.5 or 0.56
 LENGTHS = math.hypot(0.3 * 20.0, 6.0) / math.hypot(0.7 * 20.0, 6.0)  # of the slopes, short over long
 
 
-def evaluate(rows):
-    return over(rows["paper_fig3_contacts"], ("short_to_long", "mean_vx.A"), V_MIN)
-
-
 def draw(axes, means):
     plots.curve(axes, [(v, ratio) for v, (ratio, _) in means.items()], color=plots.COLOURS[0])
     axes.axhspan(PRINTED - ROUNDING, PRINTED + ROUNDING, color=plots.COLOURS[4], alpha=0.3, label="about 0.53")
@@ -25,14 +21,9 @@ def draw(axes, means):
     axes.legend(loc="lower right")
 
 
-def fitting(means):
-    """The values of v_min at which the ratio is the printed one."""
-    return [v for v, (ratio, _) in means.items() if verdicts.is_within(ratio, PRINTED - ROUNDING, PRINTED + ROUNDING)]
-
-
 def condition(means):
     """In which range of v_min the claim holds, in words."""
-    found = fitting(means)
+    found = [v for v, (ratio, _) in means.items() if verdicts.is_within(ratio, PRINTED - ROUNDING, PRINTED + ROUNDING)]
     if not found:
         return "at no v_min that was tried"
     ratios = [ratio.value for ratio, _ in means.values()]
@@ -48,7 +39,8 @@ def claims(means):
 
 
 STUDY = Study("contacts", "Short and long slopes, over the smallest rebound speed",
-              ("paper_fig3_contacts",), evaluate,
+              ("paper_fig3_contacts",),
+              lambda rows: over(rows["paper_fig3_contacts"], ("short_to_long", "mean_vx.A"), V_MIN),
               (Picture("contacts", "Contacts with short over those with long slopes, of Fig. 3's disks, over v_min; "
                        "bars: standard errors over the seeds", draw, size=(6.4, 3.6)),), claims,
               figures=lambda means: {"contacts.short_to_long": means[SCENES][0].text()},

@@ -64,11 +64,6 @@ def deviation(values):
     return type(variance)(math.sqrt(variance.value), variance.error / (2.0 * math.sqrt(variance.value)), variance.count)
 
 
-def time_lines(samples):
-    return csv_lines(("time_s",), ("mean_displacement_m", "standard_deviation_m"), {
-        time: (mean_of(values), deviation(values)) for time, values in samples.items()})
-
-
 def moves(samples, way, check):
     return (check(f"⟨V_x⟩ is to the {way}", velocity(samples)),
             verdicts.counted(f"its mean moves to the {way} from each time to the next",
@@ -88,4 +83,6 @@ STUDY = Study("displacements", "Figs. 3 and 4: displacements of single disks",
                             "of the counts", lambda axes, numbers, name=name: draw(axes, numbers[name]),
                             (f"paper_{name}",), (6.4, 3.8))
                     for name, theta in FIGURES.items()), claims,
-              tables=lambda numbers: {name: time_lines(samples) for name, samples in numbers.items()})
+              tables=lambda numbers: {name: csv_lines(("time_s",), ("mean_displacement_m", "standard_deviation_m"), {
+                  time: (mean_of(values), deviation(values)) for time, values in samples.items()})
+                                      for name, samples in numbers.items()})

@@ -1,11 +1,9 @@
 """Fig. 5: the mean velocity of single disks over the frequency, for nine asymmetries of the tooth."""
 from ratchet_sieve import plots
 from ratchet_sieve.stats import mean_of
-from study import Picture, Study, axis, csv_lines, means, named_curves
+from study import A, F, Picture, Study, axis, csv_lines, means, named_curves
 import verdicts
 
-A = "base.asymmetry"
-F = "base.frequency"
 SYMMETRIC = 0.5
 NO_DRIFT = 0.001  # m/s
 

@@ -1,19 +1,14 @@
 """Claim 13: single disks of several radii on a level base. Larger disks feel the ratchet less, as Fig. 6 says."""
 from ratchet_sieve import plots
-from study import Picture, Study, axis, csv_lines, named_curves, over
+from study import F, Picture, Study, axis, csv_lines, named_curves, over
 import verdicts
 
 R = "species.0.radius"
-F = "base.frequency"
 SMALL, LARGE = 0.001, 0.004  # m, as in Fig. 7
 
 
-def evaluate(rows):
-    """@return map from (f, r) to the ratio of contacts and the mean velocity [m/s]"""
-    return over(rows["paper_fig6"], ("short_to_long", "mean_vx.A"), F, R)
-
-
 def draw(means):
+    """@param means map from (f, r) to the ratio of contacts and the mean velocity [m/s]"""
     figure, both = plots.panels(1, 2, (8.6, 3.6))
     frequencies, radii = axis(means, 0), axis(means, 1)
     names = ("short to long contacts", r"$\langle V_x \rangle$ [mm/s]")
@@ -43,7 +38,8 @@ TEXT = ("The second check is indirect: it counts contacts, of which a disk at re
         "disks that return at the next tooth.")
 
 
-STUDY = Study("fig6", "Fig. 6: single disks over their radius", ("paper_fig6",), evaluate,
+STUDY = Study("fig6", "Fig. 6: single disks over their radius", ("paper_fig6",),
+              lambda rows: over(rows["paper_fig6"], ("short_to_long", "mean_vx.A"), F, R),
               (Picture("fig6", "Contacts with short over those with long slopes, and mean velocity, of single disks "
                        "over their radius at θ = 0; bars: standard errors over the seeds", draw),), claims,
               lambda means: TEXT,

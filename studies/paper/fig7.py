@@ -1,11 +1,9 @@
 """Fig. 7: the mean velocity of small and of large single disks over the frequency, for several inclinations."""
 from ratchet_sieve import plots
 from ratchet_sieve.texts import shown
-from study import Picture, Study, axis, csv_lines, means
+from study import F, THETA, Picture, Study, axis, csv_lines, means
 import verdicts
 
-THETA = "base.inclination"
-F = "base.frequency"
 KINDS = {"A": "r = 1 mm", "B": "r = 4 mm"}
 SHOWN = 23.0  # Hz
 
@@ -13,10 +11,6 @@ SHOWN = 23.0  # Hz
 def velocities(rows):
     """@return of each kind: map from (θ, f) to the mean velocity [m/s]"""
     return {kind: means(rows, f"mean_vx.{kind}", THETA, F) for kind in KINDS}
-
-
-def evaluate(rows):
-    return velocities(rows["paper_fig7"])
 
 
 def draw_kinds(means, names):
@@ -36,10 +30,6 @@ def draw_kinds(means, names):
     for axes, ends in zip(both, labels):
         plots.end_labels(axes, ends, r"$\theta$ [rad]")
     return figure
-
-
-def draw(means):
-    return draw_kinds(means, KINDS)
 
 
 def range_over_inclinations(means, f):
@@ -70,7 +60,7 @@ def velocity_lines(means):
 
 
 STUDY = Study("fig7", "Fig. 7: velocity over frequency, for small and large disks",
-              ("paper_fig7",), evaluate,
+              ("paper_fig7",), lambda rows: velocities(rows["paper_fig7"]),
               (Picture("fig7", "Mean velocity of single disks of 1 mm and of 4 mm over the frequency, for ten "
-                       "inclinations; bars: standard errors over the seeds", draw),), claims,
-              tables=lambda means: {"fig7": velocity_lines(means)})
+                       "inclinations; bars: standard errors over the seeds", lambda means: draw_kinds(means, KINDS)),),
+              claims, tables=lambda means: {"fig7": velocity_lines(means)})

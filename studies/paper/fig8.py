@@ -4,9 +4,9 @@ from ratchet_sieve.tables import joined
 from ratchet_sieve.texts import table
 from curves import TURNS, turns_of
 from paper import parting
-from paper.fig7 import F, THETA, draw_kinds, more_moved, velocities, velocity_lines
+from paper.fig7 import draw_kinds, more_moved, velocities, velocity_lines
 from paper.parting import ANGLES
-from study import Picture, Study, axis, csv_lines, told
+from study import F, THETA, Picture, Study, axis, told
 import verdicts
 
 SHOWN = 23.0  # Hz, as in Fig. 3
@@ -20,10 +20,6 @@ def evaluate(rows):
     every = joined(printed, rows["paper_fig8_window"])
     return {"means": velocities(printed), "all": velocities(every),
             "turns": {f: turns_of(group, THETA) for f, group in every.by(F).items()}}
-
-
-def draw_frequencies(numbers):
-    return draw_kinds(numbers["means"], KINDS)
 
 
 def draw_inclinations(numbers):
@@ -90,11 +86,6 @@ def claims(numbers):
                 ))]
 
 
-def turn_lines(numbers):
-    return csv_lines(("f_hz",), TURNS.values(), {
-        f: [turn[part] for part in TURNS] for f, turn in sorted(numbers["turns"].items())})
-
-
 def text(numbers):
     """The headline: where the kinds go opposite ways."""
     turns = sorted(numbers["turns"].items())
@@ -119,7 +110,8 @@ STUDY = Study("fig8", "Fig. 8: both kinds of a mixture",
               (Picture("fig8_inclination", "Mean velocities of both kinds over the inclination at "
                        f"{SHOWN:g} Hz, {CAPTION}", draw_inclinations),
                Picture("fig8", f"Mean velocities over the frequency at eleven inclinations, {CAPTION}",
-                       draw_frequencies),
+                       lambda numbers: draw_kinds(numbers["means"], KINDS)),
                Picture("fig8_turn", f"The inclinations at which the kinds reverse, over the frequency, {CAPTION}",
                        draw_turns, size=(6.4, 3.8))), claims, text,
-              figures, lambda numbers: {"fig8": velocity_lines(numbers["means"]), "fig8_turn": turn_lines(numbers)})
+              figures, lambda numbers: {"fig8": velocity_lines(numbers["means"]), "fig8_turn": parting.turn_lines(
+                  "f_hz", sorted(numbers["turns"].items()))})

@@ -3,27 +3,21 @@ from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows, departed, joined
 from ratchet_sieve.texts import table
 from curves import best_of
-from study import Picture, Study, csv_lines, family, means, told
+from study import D, TEETH, THETA, Picture, Study, csv_lines, family, means, told
 import verdicts
 
-THETA = "base.inclination"
-TEETH = "base.teeth"
-DENSITY = "density"
 SWEEPS = ("paper_fig9", "paper_fig9_long", "paper_fig9_peak_thin", "paper_fig9_peak_short", "paper_fig9_peak_dense",
           "paper_fig9_dense")
 EMPTY = 0.99  # of all disks: so many have left a base that counts as emptied
 FAR = 0.02  # rad from the best θ to both ends of a curve: one that shows whether there is a maximum
 
 
-def over_inclinations(rows):
-    """All runs of this figure's sweeps, each once: some cases are in two sweeps."""
-    return Rows(joined(*(rows[name] for name in SWEEPS)).frame.drop_duplicates("run_hash", keep="last"))
-
-
 def evaluate(rows):
     """@return of Q, P and what left: map from (teeth, d) to a curve over θ; and of Q what is best"""
     numbers = {"Q": {}, "P": {}, "left": {}, "best": {}}
-    for place, group in over_inclinations(rows).by(TEETH, DENSITY).items():
+    # Some cases are in two sweeps.
+    every = Rows(joined(*(rows[name] for name in SWEEPS)).frame.drop_duplicates("run_hash", keep="last"))
+    for place, group in every.by(TEETH, D).items():
         for what, field in (("Q", "quality"), ("P", "processed"), ("left", departed)):
             numbers[what][place] = list(means(group, field, THETA).items())
         numbers["best"][place] = best_of(group, THETA, "quality")
@@ -90,18 +84,13 @@ def emptied(numbers):
     return [place for place, best in numbers["best"].items() if dict(numbers["P"][place])[best.at].value >= EMPTY]
 
 
-def of_as_many(places, short):
-    """On the longest base, the density at which it has most nearly as many disks as a short one."""
-    longest = max(teeth for teeth, _ in places)
-    return min((place for place in places if place[0] == longest),
-               key=lambda place: abs(place[0] * place[1] - short[0] * short[1]))
-
-
 def wider(numbers):
     """A check that the same disks are segregated better on a wider base."""
     best = numbers["best"]
     short = max(place for place in best if place[0] == axis(numbers, 0)[0])
-    wide = of_as_many(emptied(numbers), short)
+    longest = max(teeth for teeth, _ in emptied(numbers))
+    wide = min((place for place in emptied(numbers) if place[0] == longest),  # with most nearly as many disks
+               key=lambda place: abs(place[0] * place[1] - short[0] * short[1]))
     return verdicts.above(f"Q at the best θ of {wide[0]:g} teeth, d = {wide[1]:g}, less that of {short[0]:g} teeth, "
                           f"d = {short[1]:g}, is above 0 (P > {EMPTY:g} of both)",
                           best[wide].mean.minus(best[short].mean))
@@ -126,30 +115,24 @@ def apart(numbers):
             f"teeth. The density alone, from {high:g} to {low:g} on {short:g} teeth, raises it by {gains[1].text()}.")
 
 
-def best_line(numbers, place):
-    """What the machine does at its best inclination."""
-    best = numbers["best"][place]
-    at_best = {what: dict(numbers[what][place])[best.at] for what in ("P", "left")}
-    return [f"{place[0]:g}", f"{place[1]:g}", f"{best.at:g}", told(best.mean), best.mean.count,
-            f"{at_best['P'].value:.2f}", f"{at_best['left'].value:.0f}"]
-
-
 def best_table(numbers):
-    return table(["teeth", "d", "best θ [rad]", "Q there", "n", "P there", "out"],
-                 [best_line(numbers, place) for place in sorted(numbers["best"])
-                  if place[1] in (densities_on(numbers, place[0])[0], densities_on(numbers, place[0])[-1])])
+    """What the machine does at its best inclination, at the least and at the highest density."""
+    lines = []
+    for (teeth, density), best in sorted(numbers["best"].items()):
+        there = {what: dict(numbers[what][teeth, density])[best.at].value for what in ("P", "left")}
+        if density in (densities_on(numbers, teeth)[0], densities_on(numbers, teeth)[-1]):
+            lines.append([f"{teeth:g}", f"{density:g}", f"{best.at:g}", told(best.mean), best.mean.count,
+                          f"{there['P']:.2f}", f"{there['left']:.0f}"])
+    return table(["teeth", "d", "best θ [rad]", "Q there", "n", "P there", "out"], lines)
 
 
-def curve_lines(numbers):
-    return csv_lines(("teeth", "d", "theta_rad"), ("q", "p"), {
-        (*place, theta): (quality, dict(numbers["P"][place])[theta])
-        for place, curve in sorted(numbers["Q"].items()) for theta, quality in curve})
-
-
-def best_lines(numbers):
-    return csv_lines(("teeth", "d", "best_theta_rad"), ("q", "p", "out"), {
-        (*place, best.at): (best.mean, *(dict(numbers[what][place])[best.at] for what in ("P", "left")))
-        for place, best in sorted(numbers["best"].items())})
+def tables(numbers):
+    return {"fig9": csv_lines(("teeth", "d", "theta_rad"), ("q", "p"), {
+                (*place, theta): (quality, dict(numbers["P"][place])[theta])
+                for place, curve in sorted(numbers["Q"].items()) for theta, quality in curve}),
+            "fig9_best": csv_lines(("teeth", "d", "best_theta_rad"), ("q", "p", "out"), {
+                (*place, best.at): (best.mean, *(dict(numbers[what][place])[best.at] for what in ("P", "left")))
+                for place, best in sorted(numbers["best"].items())})}
 
 
 def text(numbers):
@@ -162,4 +145,4 @@ def text(numbers):
 STUDY = Study("fig9", "Fig. 9: quality and processed ratio", SWEEPS, evaluate,
               (Picture("fig9", "Q and P after 100 s over the inclination, for several densities and lengths of the "
                        "base; bars: standard errors over the seeds", draw),), claims, text,
-              tables=lambda numbers: {"fig9": curve_lines(numbers), "fig9_best": best_lines(numbers)})
+              tables=tables)

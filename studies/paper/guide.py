@@ -3,9 +3,9 @@ from ratchet_sieve import plots
 from ratchet_sieve.tables import joined
 from curves import best_of, crossing_of
 from paper import fig9
-from paper.fig7 import F, THETA, velocities
+from paper.fig7 import velocities
 from paper.fig8 import TURNED
-from study import Picture, Study, csv_lines, means
+from study import F, TEETH, THETA, Picture, Study, csv_lines, means
 import verdicts
 
 SHOWN = 23.0     # Hz
@@ -16,8 +16,8 @@ SINGLE, ALONE, WINDOW = "paper_single", "paper_fig9_alone", "paper_fig8_window"
 def evaluate(rows):
     mixtures = fig9.evaluate(rows)
     single = rows[SINGLE]
-    alone = {teeth: {"best": best_of(group, fig9.THETA, "quality"), "Q": means(group, "quality", fig9.THETA).items()}
-             for teeth, group in sorted(rows[ALONE].by(fig9.TEETH).items())
+    alone = {teeth: {"best": best_of(group, THETA, "quality"), "Q": means(group, "quality", THETA).items()}
+             for teeth, group in sorted(rows[ALONE].by(TEETH).items())
              if teeth in fig9.compared_lengths(mixtures)}
     turns = {name: {kind: crossing_of(group.where({F: SHOWN}), THETA, f"mean_vx.{kind}") for kind in "AB"}
              for name, group in (("single", single), ("mixture", joined(rows["paper_fig8"], rows[WINDOW])))}

@@ -1,9 +1,8 @@
 """Addition A10: whether the large disks of Fig. 9's mixture lie above the small ones, as section 3.2.2 suspects."""
 from ratchet_sieve import plots
-from study import Picture, Study, csv_lines, over
+from study import D, Picture, Study, csv_lines, over
 import verdicts
 
-D = "density"
 RADII = {"A": 0.001, "B": 0.005}  # m
 KINDS = {"A": "A: 1 mm, 10 g", "B": "B: 5 mm, 1 g"}
 

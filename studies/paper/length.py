@@ -58,10 +58,10 @@ def claims(numbers):
         *(tends_to_one(density, line) for density, line in numbers["lines"].items())))]
 
 
-def fit_lines(numbers):
-    return ["d", "q_infinite", "q_infinite_error", "c", "c_error", "chi_squared", "freedom", "p"], [
+def tables(numbers):
+    return {"length": (["d", "q_infinite", "q_infinite_error", "c", "c_error", "chi_squared", "freedom", "p"], [
         [f"{density:g}", *numbers_of(line.intercept), *numbers_of(line.slope.scaled(-1.0)), f"{line.chi_squared:.2g}",
-         line.freedom, f"{line.probability():.2g}"] for density, line in numbers["lines"].items()]
+         line.freedom, f"{line.probability():.2g}"] for density, line in numbers["lines"].items()])}
 
 
 TEXT = ("Disks that start near the wrong end leave there, and their share falls as the base grows. Three lengths are "
@@ -71,5 +71,4 @@ TEXT = ("Disks that start near the wrong end leave there, and their share falls 
 STUDY = Study("length", "The length of the base", fig9.SWEEPS, evaluate,
               (Picture("length", "Q at the best inclination over one through the length of the base, and straight "
                        "lines; bars: standard errors over the seeds", draw, size=(6.4, 3.8)),), claims,
-              lambda numbers: TEXT,
-              tables=lambda numbers: {"length": fit_lines(numbers)})
+              lambda numbers: TEXT, tables=tables)

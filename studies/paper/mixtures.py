@@ -1,10 +1,9 @@
 """Section 3.2.1: mixtures of kinds that have the same radius or the same mass, against the mixture of Fig. 8."""
 from ratchet_sieve import plots
 from curves import TURNS, best_of, turns_of
-from study import Picture, Study, csv_lines, means
+from study import THETA, Picture, Study, csv_lines, means
 import verdicts
 
-THETA = "base.inclination"
 KEYS = ("species.0.radius", "species.0.mass", "species.1.radius", "species.1.mass")
 REFERENCE = (0.001, 0.01, 0.002, 0.001)  # A and B of Fig. 8: radius [m], mass [kg] of each
 NAMES = {
@@ -77,12 +76,6 @@ def claims(numbers):
                                  f"{verdicts.shown(window, 1, 'rad') if window else '—'}", narrower(numbers)),))]
 
 
-def mixture_lines(numbers):
-    return csv_lines(("mixture", "best_theta_rad"), ("q", *TURNS.values()), {
-        (NAMES[mixture], found["best"].at): [found["best"].mean, *(found[part] for part in TURNS)]
-        for mixture, found in numbers.items()})
-
-
 TEXT = ("Q is that of 20 teeth with open ends after 60 s. The intervals are those of θ in which A goes right and B "
         "left. On 20 teeth, as in Fig. 8, A reverses at a smaller angle, so that the first mixture's interval is "
         "narrower.")
@@ -93,4 +86,6 @@ STUDY = Study("mixtures", "Section 3.2.1: mixtures that differ in the radius or 
               (Picture("mixtures", "Q and how much faster A is than B, of five mixtures, d = 3.93; bars: standard "
                        "errors over the seeds", draw),), claims,
               lambda numbers: TEXT,
-              tables=lambda numbers: {"mixtures": mixture_lines(numbers)})
+              tables=lambda numbers: {"mixtures": csv_lines(("mixture", "best_theta_rad"), ("q", *TURNS.values()), {
+                  (NAMES[mixture], found["best"].at): [found["best"].mean, *(found[part] for part in TURNS)]
+                  for mixture, found in numbers.items()})})

@@ -1,12 +1,10 @@
 """Addition A3: why Q on an open base is best near θ = 0.1, where the kinds of Fig. 8 do not part at d = 3.93."""
 from ratchet_sieve import plots
 from ratchet_sieve.tables import joined
-from paper.parting import ANGLES, D, PRINTED, parted
-from study import WAYS, Picture, Study, csv_lines, family, means
+from paper.parting import ANGLES, PRINTED, parted
+from study import D, TEETH, THETA, WAYS, Picture, Study, csv_lines, family, means
 import verdicts
 
-THETA = "base.inclination"
-TEETH = "base.teeth"
 WINDOW = ("settle", "duration")
 WHOLE = (0.0, 60.0)  # s: the window of Q
 CLAIMED = ANGLES[0]  # where the paper has A go right and B left [rad]
@@ -43,10 +41,6 @@ def lengths(numbers):
     return sorted({place[2] for place in numbers["drifts"]})
 
 
-def windows(numbers):
-    return sorted({place[:2] for place in numbers["drifts"]} - {WHOLE})
-
-
 def draw(numbers):
     """Left: Q over θ. Right: the drifts at one θ over the density, of the windows and of periodic bases."""
     figure, (left, right) = plots.panels(1, 2, (9.6, 3.8))
@@ -68,15 +62,6 @@ def draw(numbers):
     return figure
 
 
-def interval_name(window):
-    return f"{window[0]:g} to {window[1]:g} s"
-
-
-def early(numbers, teeth):
-    """The drifts at the claimed θ in the first window of a length, while the base is full."""
-    return numbers["drifts"][(*windows(numbers)[0], teeth, CLAIMED)]
-
-
 def parts_late(numbers):
     """A check for each length that the kinds go opposite ways at the claimed θ over the whole run."""
     for teeth in lengths(numbers):
@@ -87,9 +72,9 @@ def parts_late(numbers):
 
 
 def both_left_early(numbers):
-    teeth = lengths(numbers)[-1]
-    cell = early(numbers, teeth)
-    says = (f"{teeth:g} teeth, θ = {CLAIMED:g}, while the base is full ({interval_name(windows(numbers)[0])}, d = "
+    teeth, (begin, end) = lengths(numbers)[-1], min({place[:2] for place in numbers["drifts"]} - {WHOLE})
+    cell = numbers["drifts"][begin, end, teeth, CLAIMED]
+    says = (f"{teeth:g} teeth, θ = {CLAIMED:g}, while the base is full ({begin:g} to {end:g} s, d = "
             f"{cell['d'].value:.2f} at its end): both to the left, as on the periodic base")
     return verdicts.both(*(verdicts.left(says, cell[kind]) for kind in "AB"))
 
@@ -106,15 +91,12 @@ TEXT = ("The bases start at d = 3.93. A drift on an open base is the displacemen
         "names for Fig. 8.")
 
 
-def drift_lines(numbers):
-    return csv_lines(("settle_s", "duration_s", "teeth", "theta_rad"), ("d_at_end", "mean_d", *WAYS, "q", "p"), {
-        place: [cell[name] for name in ("d", "mean_d", "A", "B", "Q", "P")]
-        for place, cell in numbers["drifts"].items()})
-
-
 STUDY = Study("open_base", "Fig. 8's mixture on an open base, which empties",
               (*SWEEPS, "parting_window"), evaluate,
               (Picture("open_base", "Q of Fig. 8's mixture on open bases over the inclination, and drifts at θ = 0.105 "
                        "over the mean density; bars: standard errors over the seeds", draw),), claims,
               lambda numbers: TEXT,
-              tables=lambda numbers: {"open_base": drift_lines(numbers)})
+              tables=lambda numbers: {"open_base": csv_lines(
+                  ("settle_s", "duration_s", "teeth", "theta_rad"), ("d_at_end", "mean_d", *WAYS, "q", "p"), {
+                      place: [cell[name] for name in ("d", "mean_d", "A", "B", "Q", "P")]
+                      for place, cell in numbers["drifts"].items()})})

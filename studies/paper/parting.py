@@ -2,11 +2,9 @@
 inclinations in which they do, over the density."""
 from ratchet_sieve import plots
 from curves import TURNS, turns_of
-from study import Picture, Study, csv_lines, told, ways
+from study import D, THETA, Picture, Study, csv_lines, told, ways
 import verdicts
 
-THETA = "base.inclination"
-D = "density"
 PRINTED = 3.93           # the paper's density
 ANGLES = (0.105, 0.157)  # where the paper has A go to the right and B to the left [rad]
 NEEDED = ANGLES[1] - ANGLES[0]  # the least width of a window that has both angles in it
@@ -110,8 +108,9 @@ def claims(part):
                            "density", (at_one(part),))]
 
 
-def turn_lines(part):
-    return csv_lines(("d",), TURNS.values(), {d: [turn[kind] for kind in TURNS] for d, turn in part["turns"].items()})
+def turn_lines(name, turns):
+    """@param turns pairs of x and turns_of(). @param name of x"""
+    return csv_lines((name,), TURNS.values(), {x: [turn[kind] for kind in TURNS] for x, turn in turns})
 
 
 def text(part):
@@ -124,4 +123,4 @@ WINDOW = Study("parting_window", "The inclinations at which the kinds of Fig. 8'
               ("parting_window",), evaluate,
               (Picture("parting_window", "The inclinations at which A and B reverse, over the density; bars: "
                        "jackknife errors over the seeds", draw, size=(6.4, 4.2)),),
-              claims, text, tables=lambda part: {"parting_window": turn_lines(part)})
+              claims, text, tables=lambda part: {"parting_window": turn_lines("d", part["turns"].items())})

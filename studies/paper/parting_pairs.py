@@ -5,7 +5,7 @@ import dataclasses
 
 from ratchet_sieve import plots
 from paper import parting
-from study import Picture, Study, axis, ways
+from study import THETA, Picture, Study, axis, ways
 
 # As printed, and as in the scenes where the paper leaves a value open.
 PRINTED = {"density": 3.93, "base.asymmetry": 0.3, "base.frequency": 23.0, "base.amplitude": 0.002,
@@ -36,11 +36,6 @@ PAIRS = (Pair("parting_density_frequency", "density", "d", *F),
          Pair("parting_width_height", "base.tooth_width", "w [m]", "base.tooth_height", "h [m]"))
 
 
-def evaluate(rows):
-    """@return of each pair: map from (θ, x, y) to both kinds' mean velocities [m/s]"""
-    return {pair: ways(rows[pair.sweep], parting.THETA, pair.x, pair.y) for pair in PAIRS if rows[pair.sweep]}
-
-
 def draw_map(numbers):
     """The pair over which the kinds go opposite ways at both angles, at some setting."""
     figure, row = plots.panels(1, len(parting.ANGLES), (7.6, 2.6), squeeze=False)
@@ -59,7 +54,9 @@ def draw(numbers):
     for empty in cells:
         for axes in empty:
             axes.axis("off")
-        plots.lone_legend(empty[0], parting.COLOURS)
+        legend = plots.class_legend(empty[0], parting.COLOURS)
+        legend.set_bbox_to_anchor((0.0, 0.5))
+        legend.set_in_layout(False)
     return figure
 
 
@@ -104,7 +101,8 @@ def text(numbers):
 
 
 STUDY = Study("parting_pairs", "Two parameters other than printed (A2)",
-              tuple(pair.sweep for pair in PAIRS), evaluate,
+              tuple(pair.sweep for pair in PAIRS), lambda rows: {  # of each both kinds' velocities, by (θ, x, y)
+                  pair: ways(rows[pair.sweep], THETA, pair.x, pair.y) for pair in PAIRS if rows[pair.sweep]},
               (Picture("parting_map", "Which way both kinds of Fig. 8's mixture go at the two angles of claim 6, over "
                        "width and height of the teeth, all else as printed; the dot: as printed", draw_map,
                        (PAIRS[-1].sweep,)),

@@ -1,8 +1,8 @@
 """Additions A2, A6, A7, by fresh seeds: claim 6 on the teeth that the maps of two parameters found."""
 from ratchet_sieve import plots
 from paper import parting
-from paper.parting import ANGLES, THETA
-from study import WAYS, Picture, Study, csv_lines, ways
+from paper.parting import ANGLES
+from study import THETA, WAYS, Picture, Study, csv_lines, ways
 import verdicts
 
 W, H = "base.tooth_width", 0.009  # m: the height of all of them
@@ -10,17 +10,8 @@ LEVEL, TILTED = 0.0, 0.052
 FIRST = 6  # number of the first addition that is about one kind of teeth
 
 
-def evaluate(rows):
-    """@return of each width: map from θ to both kinds' mean velocities [m/s]"""
-    return {w: ways(group, THETA) for w, group in sorted(rows["parting_teeth_fresh"].by(W).items())}
-
-
 def name(w):
     return f"w = {plots.MM * w:g} mm, h = {plots.MM * H:g} mm"
-
-
-def draw(numbers):
-    return parting.draw_ways({name(w): means for w, means in numbers.items()})
 
 
 def parted(means):
@@ -37,6 +28,7 @@ def level(means):
 
 
 def claims(numbers):
+    """@param numbers of each width: map from θ to both kinds' mean velocities [m/s]"""
     both = [verdicts.counted(f"{name(w)}: A right and B left at 0.105 and at 0.157", parted(means))
             for w, means in numbers.items()]
     return [verdicts.Claim("A2", "Fig. 8", "claim 6's A right and B left at 0.105 and at 0.157 come out at the printed "
@@ -56,11 +48,12 @@ def whole(number, w, means):
 TEXT = ("The paper gives w = 20 mm and h = 6 mm; that its Fig. 8 was made with other teeth is a possibility, and no "
         "more.")
 
-
 STUDY = Study("parting_teeth", "Claim 6 on narrower and higher teeth, by fresh seeds",
-              ("parting_teeth_fresh",), evaluate,
+              ("parting_teeth_fresh",),
+              lambda rows: {w: ways(group, THETA) for w, group in sorted(rows["parting_teeth_fresh"].by(W).items())},
               (Picture("parting_teeth", "Mean velocities of Fig. 8's mixture on narrower and higher teeth, d = 3.93; "
-                       "bars: standard errors over the seeds", draw),), claims,
-              lambda numbers: TEXT,
+                       "bars: standard errors over the seeds",
+                       lambda numbers: parting.draw_ways({name(w): means for w, means in numbers.items()})),),
+              claims, lambda numbers: TEXT,
               tables=lambda numbers: {"parting_teeth": csv_lines(("w_m", "theta_rad"), WAYS, {
                   (w, theta): pair for w, means in numbers.items() for theta, pair in means.items()})})

@@ -1,14 +1,9 @@
 """Claim 14: the restitution changes the mean velocity of single disks, as section 3.1.2 remarks."""
 from ratchet_sieve import plots
-from study import Picture, Study, csv_lines, means
+from study import E, Picture, Study, csv_lines, means
 import verdicts
 
-E = "species.0.restitution"
 PRINTED = 0.6
-
-
-def evaluate(rows):
-    return means(rows["paper_restitution"], "mean_vx.A", E)
 
 
 def draw(axes, velocities):
@@ -28,6 +23,7 @@ def claims(velocities):
 
 
 STUDY = Study("restitution", "Single disks over their restitution", ("paper_restitution",),
-              evaluate, (Picture("restitution", "Mean velocity of single disks over their restitution, otherwise as in "
+              lambda rows: means(rows["paper_restitution"], "mean_vx.A", E),
+              (Picture("restitution", "Mean velocity of single disks over their restitution, otherwise as in "
                        "Fig. 3; bars: standard errors over the seeds", draw, size=(6.4, 3.6)),), claims,
               tables=lambda velocities: {"restitution": csv_lines(("e",), ("mean_vx_m_per_s",), velocities)})

@@ -81,9 +81,8 @@ private:
     b2BodyDef definition;
     definition.type = b2_kinematicBody;
     base_ = world_.CreateBody(&definition);
-    const std::vector<Point> outline = mixture_.outline();
     std::vector<b2Vec2> points;
-    for (auto point = outline.rbegin(); point != outline.rend(); ++point)
+    for (auto point = mixture_.outline.rbegin(); point != mixture_.outline.rend(); ++point)
       points.push_back(inUnits(*point));  // From right to left, so that the free side is on the right.
     b2ChainShape chain;
     chain.CreateChain(points.data(), static_cast<int32>(points.size()), points.front() + b2Vec2(1.0F, 0.0F),
@@ -96,7 +95,7 @@ private:
   {
     b2BodyDef definition;
     definition.type = b2_dynamicBody;
-    definition.position = inUnits(disk.start);
+    definition.position = inUnits({disk.x, disk.y});
     b2CircleShape circle;
     circle.m_radius = static_cast<float>(disk.radius * PER_METRE);
     b2FixtureDef definition_of_circle = fixture(circle);
@@ -119,7 +118,7 @@ private:
 int main(int argc, char** argv)
 {
   const nlohmann::json run = readRun(argc, argv);
-  const Mixture mixture(run);
+  const Mixture mixture = run["mixture"];
   World world(mixture, run["step"], run["continuous"]);
   SteppedRun(world, mixture, run)
       .run(std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +

@@ -81,7 +81,7 @@ private:
     cpBodySetUserData(base_, this);
     cpBodySetPositionUpdateFunc(base_, &World::followDrive);
     std::vector<cpVect> points;
-    for (const Point& point : mixture_.outline())
+    for (const Point& point : mixture_.outline)
       points.push_back(cpv(point.x * PER_METRE, point.y * PER_METRE));
     if (solid)
       addTeeth(points);
@@ -115,7 +115,7 @@ private:
     const double radius = disk.radius * PER_METRE;
     cpBody* body =
         cpSpaceAddBody(space_, cpBodyNew(disk.mass, cpMomentForCircle(disk.mass, 0.0, radius, cpvzero)));
-    cpBodySetPosition(body, cpv(disk.start.x * PER_METRE, disk.start.y * PER_METRE));
+    cpBodySetPosition(body, cpv(disk.x * PER_METRE, disk.y * PER_METRE));
     setContact(cpCircleShapeNew(body, radius, cpvzero));
     disks_.push_back(body);
   }
@@ -147,7 +147,7 @@ private:
 int main(int argc, char** argv)
 {
   const nlohmann::json run = readRun(argc, argv);
-  const Mixture mixture(run);
+  const Mixture mixture = run["mixture"];
   World world(mixture, run["step"], run["solid"]);
   SteppedRun(world, mixture, run).run(cpVersionString);
 }

@@ -17,7 +17,6 @@ import numpy
 from ratchet_sieve import origin
 from ratchet_sieve.places import SHARE
 from ratchet_sieve.texts import counted, table
-from peers import runs
 from sweeps import processor_time
 
 VARIANT = "Single"  # one event a disk and neighbour lists: the fastest of its variants
@@ -72,7 +71,7 @@ def build(checkout, disks, length, folder):
 def processor_seconds(command, folder):
     """Of a whole process, and what it prints."""
     before = processor_time()
-    ran = subprocess.run(runs.pinned(command), cwd=folder, capture_output=True, text=True, check=False)
+    ran = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if ran.returncode != 0:
         sys.exit(f"{' '.join(command)}: exit status {ran.returncode}: {ran.stderr.strip()}")
     return processor_time() - before, ran.stdout

@@ -1,20 +1,19 @@
-#!/usr/bin/python3
-"""Runs the mixture of Fig. 8 in LAMMPS, by the file that runs.py writes, and leaves samples and one line of JSON as the
-other programs of the comparison do."""
-import json
+"""Runs the mixture of Fig. 8 in LAMMPS."""
 import math
 import pathlib
-import resource
 import subprocess
 import sys
 import tempfile
 
 import numpy
 
+from peers.samples import LOOK, SCENE, TIMEOUT
+from sweeps import processor_time
+
+PROGRAM = "lmp"
 INPUT = pathlib.Path(__file__).resolve().with_name("mixture.lmp")
 
-RUN = json.loads(pathlib.Path(sys.argv[1]).read_text(encoding="utf-8"))
-BASE, SPECIES = RUN["scene"]["base"], RUN["scene"]["species"]
+BASE, SPECIES = SCENE["base"], SCENE["species"]
 TEETH, TOOTH_WIDTH, TOOTH_HEIGHT, ASYMMETRY = (BASE[key] for key in ("teeth", "tooth_width", "tooth_height",
                                                                      "asymmetry"))
 WIDTH = TEETH * TOOTH_WIDTH
@@ -100,43 +99,44 @@ def start(disks):
     return "\n".join(lines) + "\n"
 
 
-def sample(path, disks):
-    """Writes the samples of LAMMPS's dump: in the base's own frame, whose displacement is 0."""
-    with open(RUN["samples"], "wb") as file, open(path, encoding="utf-8") as dump:
+def samples(path, disks):
+    """Those of LAMMPS's dump: in the base's own frame, whose displacement is 0."""
+    lines = []
+    with open(path, encoding="utf-8") as dump:
         for line in dump:
             if line.startswith("ITEM: TIMESTEP"):
                 time = STEP * int(next(dump))
             elif line.startswith("ITEM: ATOMS"):
-                places = [tuple(map(float, next(dump).split()[2:])) for _ in range(disks)]
-                numpy.array([time, 0.0, *(number for place in places for number in place)]).tofile(file)
+                places = [float(number) for _ in range(disks) for number in next(dump).split()[2:]]
+                lines.append([time, 0.0, *places])
+    return numpy.array(lines)
 
 
-def run(directory):
-    """@return what the other programs print"""
-    disks = RUN["disks"]
+def run(case, disks):
+    """@return what the other programs print, and the samples"""
+    with tempfile.TemporaryDirectory() as name:
+        return run_in(pathlib.Path(name), case, disks)
+
+
+def run_in(directory, case, disks):
     for name, text in (("start.data", start(disks)), ("base.lmp", base()), ("low.lmp", low()),
                        ("contacts.lmp", contacts())):
         (directory / name).write_text(text, encoding="utf-8")
     variables = {"amplitude": BASE["amplitude"], "omega": 2.0 * math.pi * BASE["frequency"],
-                 "gravity": RUN["scene"]["gravity"], "step": STEP, "settle_steps": round(RUN["settle"] / STEP),
-                 "count_steps": round(RUN["duration"] / STEP), "look_steps": round(RUN["look"] / STEP),
-                 "low_every": LOW_EVERY}
-    command = ["lmp", "-in", str(INPUT), "-screen", "none", "-log", "log"]
+                 "gravity": SCENE["gravity"], "step": STEP, "settle_steps": round(case.settle / STEP),
+                 "count_steps": round(case.duration / STEP), "look_steps": round(LOOK / STEP), "low_every": LOW_EVERY}
+    command = [PROGRAM, "-in", str(INPUT), "-screen", "none", "-log", "log"]
     for name, value in variables.items():
         command += ["-var", name, repr(value)]
-    ran = subprocess.run(command, cwd=directory, capture_output=True, text=True, check=False)
+    before = processor_time()
+    ran = subprocess.run(command, cwd=directory, capture_output=True, text=True, timeout=TIMEOUT,
+                         check=False)
     log = (directory / "log").read_text(encoding="utf-8")
     if ran.returncode != 0:  # as where it has lost a disk
         said = [line for line in log.splitlines() if line.startswith("ERROR")]
         sys.exit(f"lammps: {said[0] if said else ran.stderr.strip()}")
     begun, settled, ended = (float((directory / name).read_text()) for name in ("begun", "settled", "ended"))
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    share = min(1.0, (used.ru_utime + used.ru_stime) / (ended - begun))
-    sample(directory / "look.dump", len(disks))
+    share = min(1.0, (processor_time() - before) / (ended - begun))
     return {"version": log.split("(", 1)[1].split(")", 1)[0], "wall_seconds": ended - settled,
-            "processor_seconds": (ended - settled) * share, "collisions": None, "lost": 0}
-
-
-if __name__ == "__main__":
-    with tempfile.TemporaryDirectory() as name:
-        print(json.dumps(run(pathlib.Path(name))))
+            "processor_seconds": (ended - settled) * share, "collisions": None,
+            "lost": 0}, samples(directory / "look.dump", len(disks))

@@ -1,27 +1,25 @@
 """The rows of the table and the steps of the picture: each a program that is run, one after another on one core."""
 import dataclasses
-import functools
 import json
-import os
+import math
 import pathlib
 import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
+import time
 
-import yaml
+import numpy
 
-from ratchet_sieve.places import SHARE
+import ratchet_sieve as rs
 from ratchet_sieve.stats import mean_of
-from peers import samples
+from peers import lammps_mixture, samples
+from peers.samples import LOOK, SCENE, SCENE_FILE, TIMEOUT
 
-SCENE = SHARE / "config/paper_fig8.yaml"
 OURS = "ratchet_sieve"
 ROW = "this project"
-TIMEOUT = 900.0   # of wall time [s]: a longer run has hung
-LAMMPS = "lmp"    # its program
-PROGRAMS = {OURS: "ratchet_mixture", "chipmunk": "chipmunk_mixture", "box2d": "box2d_mixture"}
+PROGRAMS = {"chipmunk": "chipmunk_mixture", "box2d": "box2d_mixture"}
 
 # Box2D's clock runs faster than the scene's by the root of the scale of its lengths: see box2d_mixture.cpp.
 BOX2D_CLOCK = 1000.0 ** 0.5
@@ -38,6 +36,8 @@ NO_TUNNELLING = 3e-4
 # teeth lose fewer disks [s].
 THIN_BASE = 2e-3
 
+EXTRA_TEETH = 2  # at either end, for disks that have passed it and are not yet moved
+
 SWEEP = (1e-2, 1.0 / 240.0, 2e-3, 1e-3, BOX2D_STEP, 2e-4, MAIN_STEP, 3e-5)  # [s]
 FINE = 5e-5  # what steps finer than this is run for a shorter time [s]
 
@@ -48,19 +48,14 @@ class Case:
     program: str
     row: str = ""           # "": only in the picture
     step: float = None      # [s]
-    overrides: tuple = ()   # of the scene, as of sieve_run --set
+    overrides: dict = dataclasses.field(default_factory=dict)  # of the scene
     settle: float = 2.0     # [s]
     duration: float = 8.0   # [s]
     repeated: bool = True   # false: too slow
 
-    def options(self):
-        """What the program alone is asked for."""
-        return {"step": self.step, "set": list(self.overrides), "solid": bool(self.step and self.step >= THIN_BASE),
-                "continuous": bool(self.step and self.step >= NO_TUNNELLING)}
-
 
 def is_there(programs, name):
-    return bool(shutil.which(LAMMPS)) if name == "lammps" else (programs / PROGRAMS[name]).exists()
+    return bool(shutil.which(lammps_mixture.PROGRAM)) if name == "lammps" else (programs / PROGRAMS[name]).exists()
 
 
 def rows(programs):
@@ -71,7 +66,7 @@ def rows(programs):
         "Box2D": [Case("box2d", "Box2D, 0.1 ms", MAIN_STEP),
                   Case("box2d", "Box2D, 1/60 s of its clock: 0.53 ms", BOX2D_STEP)],
         "LAMMPS": [Case("lammps", "LAMMPS, 5 µs", settle=1.0, duration=3.0, repeated=False)]}
-    without_beta = tuple(f"species.{k}.tangential_restitution=0" for k in (0, 1))
+    without_beta = {f"species.{k}.tangential_restitution": 0 for k in (0, 1)}
     found = [Case(OURS, ROW, duration=40.0),
              Case(OURS, "this project, β = 0 as the others", overrides=without_beta, duration=40.0)]
     missing = [name for name in cases if not is_there(programs, name.lower())]
@@ -86,47 +81,71 @@ def sweep(programs):
             if step not in taken and is_there(programs, program)]
 
 
-def pinned(command):
-    """On the last core that this process may use: the first one serves the system."""
-    if not shutil.which("taskset"):
-        return command
-    return ["taskset", "-c", str(max(os.sched_getaffinity(0))), *command]
+def simulation_of(case, seed):
+    return rs.Simulation(rs.Scene.load(SCENE_FILE, {**case.overrides, "seed": seed}))
 
 
-@functools.lru_cache(maxsize=None)
-def start_of(programs, seed):
-    """Of each disk its species, x and y at t = 0, for all programs: this project's pour."""
+def mixture_of(disks):
+    """The scene for programs that know neither teeth nor species [SI units]."""
+    base, species = SCENE["base"], SCENE["species"]
+    end = base["teeth"] + EXTRA_TEETH
+    outline = [*samples.corners_of(base, range(-EXTRA_TEETH, end)), (end * base["tooth_width"], 0.0)]
+    return {"width": base["teeth"] * base["tooth_width"], "gravity": SCENE["gravity"],
+            "clear_height": base["tooth_height"] + base["amplitude"] + SCENE["pour"]["drop_height"],
+            "amplitude": base["amplitude"], "omega": 2.0 * math.pi * base["frequency"],
+            **{key: species[0][key] for key in ("restitution", "friction")},
+            "outline": [{"x": x, "y": y} for x, y in outline],
+            "disks": [{"x": x, "y": y, **{key: species[kind][key] for key in ("radius", "mass")}}
+                      for kind, x, y in disks]}
+
+
+def ours(case, seed):
+    """@return what the other programs print, and the samples"""
+    simulation, lines = simulation_of(case, seed), []
+    start = simulation.disks["x"]
+
+    def look():
+        disks = simulation.disks
+        places = numpy.column_stack((start + disks["displacement"], disks["y"]))
+        lines.append([simulation.time, simulation.base.displacement, *places.flat])
+
+    simulation.advance_to(case.settle)
+    look()
+    before, wall, processor = sum(simulation.collisions.values()), 0.0, 0.0
+    for k in range(1, round(case.duration / LOOK) + 1):
+        begin = time.perf_counter(), time.process_time()
+        simulation.advance_to(case.settle + k * LOOK)
+        wall += time.perf_counter() - begin[0]
+        processor += time.process_time() - begin[1]
+        look()
+    return {"version": "", "wall_seconds": wall, "processor_seconds": processor, "lost": 0,
+            "collisions": sum(simulation.collisions.values()) - before}, numpy.array(lines)
+
+
+def other(programs, case, disks):
+    """@return what the program prints, and the samples"""
     with tempfile.TemporaryDirectory() as folder:
-        return call(programs, Case(OURS, settle=0.0, duration=0.0), seed, None, folder)[0]["disks"]
-
-
-def call(programs, case, seed, disks, folder):
-    """@return the line that the program prints, and whatever it or its library has printed besides"""
-    given = {"scene": yaml.safe_load(SCENE.read_text(encoding="utf-8")), "file": str(SCENE), "disks": disks,
-             "samples": f"{folder}/samples", "settle": case.settle, "duration": case.duration, "look": samples.LOOK,
-             **case.options()}
-    given["set"].append(f"seed={seed}")
-    file = pathlib.Path(folder) / "run.json"
-    file.write_text(json.dumps(given), encoding="utf-8")
-    command = ([sys.executable, str(pathlib.Path(__file__).with_name("lammps_mixture.py"))]
-               if case.program == "lammps" else [str(programs / PROGRAMS[case.program])])
-    ran = subprocess.run(pinned([*command, str(file)]), capture_output=True, text=True, timeout=TIMEOUT, check=False)
-    if ran.returncode != 0:
-        sys.exit(f"{case.row or case.program}: exit status {ran.returncode}: {ran.stderr.strip()}")
-    *said, line = ran.stdout.strip().splitlines()
-    return json.loads(line), "\n".join((*said, ran.stderr))
+        given = {"mixture": mixture_of(disks), "samples": f"{folder}/samples", "look": LOOK, "step": case.step,
+                 "settle": case.settle, "duration": case.duration, "solid": case.step >= THIN_BASE,
+                 "continuous": case.step >= NO_TUNNELLING}
+        file = pathlib.Path(folder) / "run.json"
+        file.write_text(json.dumps(given), encoding="utf-8")
+        ran = subprocess.run([str(programs / PROGRAMS[case.program]), str(file)], capture_output=True, text=True,
+                             timeout=TIMEOUT, check=False)
+        if ran.returncode != 0:
+            sys.exit(f"{case.row or case.program}: exit status {ran.returncode}: {ran.stderr.strip()}")
+        lines = numpy.fromfile(given["samples"]).reshape(-1, 2 + 2 * len(disks))
+    said = json.loads(ran.stdout.strip().splitlines()[-1])
+    return {**said, "debug": "Debug Enabled" in ran.stdout + ran.stderr}, lines  # which Chipmunk prints
 
 
 def run(programs, case, seed):
-    disks = start_of(programs, seed)
-    with tempfile.TemporaryDirectory() as folder:
-        result, said = call(programs, case, seed, disks, folder)
-        result.pop("disks", None)
-        scene = yaml.safe_load(SCENE.read_text(encoding="utf-8"))
-        result.update(samples.measured(f"{folder}/samples", scene, [kind for kind, _, _ in disks]))
+    """All programs begin with this project's pour."""
+    disks = simulation_of(case, seed).disks[["species", "x", "y"]].tolist()
+    result, lines = (ours(case, seed) if case.program == OURS else lammps_mixture.run(case, disks)
+                     if case.program == "lammps" else other(programs, case, disks))
     return {"program": case.program, "row": case.row, "step": case.step, "seed": seed, "settle": case.settle,
-            "duration": case.duration, "debug": "Debug Enabled" in said,  # which Chipmunk prints
-            **result}
+            "duration": case.duration, **result, **samples.measured(lines, [kind for kind, _, _ in disks])}
 
 
 def in_turns(programs, cases, repetitions, short):

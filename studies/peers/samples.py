@@ -1,7 +1,13 @@
 """What the samples of a run say: drifts and overlaps. Every program of the comparison writes them alike."""
 import numpy
+import yaml
 from scipy.spatial import cKDTree
 
+from ratchet_sieve.places import SHARE
+
+SCENE_FILE = SHARE / "config/paper_fig8.yaml"
+SCENE = yaml.safe_load(SCENE_FILE.read_text(encoding="utf-8"))
+TIMEOUT = 900.0  # of wall time [s]: a longer run of a program has hung
 TOUCH = 1e-12  # an overlap up to this is rounding [m]
 LOOK = 0.01    # between two samples [s]
 BLOCK = 0.5    # of time, over which a drift is a sample of its mean [s]
@@ -10,12 +16,15 @@ SEAM = 0.040   # two teeth [m]: no overlap is looked for so near to an end, wher
 ROUNDING = 1e-6  # of a block, so that the rounding of times does not delay its end to the next sample
 
 
+def corners_of(base, teeth):
+    """Foot and apex of these teeth, from left to right [m]."""
+    return [((k + part) * base["tooth_width"], n) for k in teeth
+            for part, n in ((0.0, 0.0), (base["asymmetry"], base["tooth_height"]))]
+
+
 def height_above(base, x, y):
     """Distances from points to the base's surface, > 0 above it."""
-    width = base["tooth_width"]
-    s = x % width
-    corners = [((k + part) * width, n) for k in (-1, 0, 1, 2)
-               for part, n in ((0.0, 0.0), (base["asymmetry"], base["tooth_height"]))]
+    s, corners = x % base["tooth_width"], corners_of(base, range(-1, 3))
     nearest = numpy.full_like(s, numpy.inf)
     for (s1, n1), (s2, n2) in zip(corners, corners[1:]):
         along, up = s2 - s1, n2 - n1
@@ -43,19 +52,14 @@ def drifts(times, x, kinds):
     return blocks
 
 
-def read(path, disks):
-    """@param disks their number. @return of each sample its time and the base's displacement; x, as if the base went
-    on, and y of each disk"""
-    lines = numpy.fromfile(path).reshape(-1, 2 + 2 * disks)
-    return lines[:, 0], lines[:, 1], lines[:, 2::2], lines[:, 3::2]
-
-
-def measured(path, scene, kinds):
-    """What compare_peers tells of a run's samples. @param kinds the species of each disk"""
-    base, kinds = scene["base"], numpy.array(kinds)
-    radii = numpy.array([species["radius"] for species in scene["species"]])[kinds]
+def measured(lines, kinds):
+    """What compare_peers tells of a run's samples.
+    @param lines of each sample its time and the base's displacement; then x, as if the base went on, and y of each disk
+    @param kinds the species of each disk"""
+    base, kinds = SCENE["base"], numpy.array(kinds)
+    radii = numpy.array([species["radius"] for species in SCENE["species"]])[kinds]
     width = base["teeth"] * base["tooth_width"]
-    times, displacements, xs, ys = read(path, len(kinds))
+    times, displacements, xs, ys = lines[:, 0], lines[:, 1], lines[:, 2::2], lines[:, 3::2]
     overlap = base_overlap = 0.0
     behind = 0
     for displacement, x, y in zip(displacements, xs % width, ys):

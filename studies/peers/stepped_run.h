@@ -1,75 +1,125 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <utility>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <string>
+#include <vector>
 
-#include "mixture_run.h"
+#include <nlohmann/json.hpp>
 
+/// What the programs of the comparison in C++ have in common. Each is given a file that runs.py writes: the
+/// mixture of Fig. 8 at theta = 0, where its disks start, and for how long it runs. Each writes samples, from
+/// which samples.py tells drifts and overlaps, and prints one line of JSON.
 namespace ratchet_sieve::peers
 {
 
 constexpr double TIDY = 0.001;        ///< interval at which disks are moved to the other end [s]
 constexpr double LOST_DEPTH = 0.010;  ///< A disk so far below the feet has fallen through the base [m].
-constexpr int EXTRA_TEETH = 2;        ///< at either end, for disks that have passed it and are not yet moved
-constexpr double TWO_PI = 6.283185307179586;
+
+struct Point
+{
+  double x = 0.0;  ///< [m]
+  double y = 0.0;  ///< [m]
+};
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Point, x, y)
+
+inline nlohmann::json readRun(int argc, char** argv)
+{
+  if (argc != 2)
+  {
+    std::fprintf(stderr, "%s: needs the file of a run, which compare_peers.py writes\n", argv[0]);
+    std::exit(2);
+  }
+  std::ifstream file(argv[1]);
+  return nlohmann::json::parse(file);
+}
+
+/// Sums the time between start() and stop(). Processor time is less than wall time if other programs use the
+/// processor.
+class StopWatch
+{
+public:
+  void start()
+  {
+    wall_start_ = Clock::now();
+    processor_start_ = std::clock();
+  }
+  void stop()
+  {
+    wall_ += std::chrono::duration<double>(Clock::now() - wall_start_).count();
+    processor_ += static_cast<double>(std::clock() - processor_start_) / CLOCKS_PER_SEC;
+  }
+  void clear() { wall_ = processor_ = 0.0; }
+
+  /// What a program prints of a run. @param lost disks that fell through the base
+  nlohmann::json outcome(const std::string& version, std::uint64_t collisions, std::size_t lost) const
+  {
+    return {{"version", version},
+            {"wall_seconds", wall_},
+            {"processor_seconds", processor_},
+            {"collisions", collisions},
+            {"lost", lost}};
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point wall_start_;
+  std::clock_t processor_start_ = 0;
+  double wall_ = 0.0;
+  double processor_ = 0.0;
+};
+
+/// Samples of a run, as doubles: its time [s], the base's displacement [m], and of each disk x, as if the
+/// base went on, and y [m].
+class Samples
+{
+public:
+  explicit Samples(const nlohmann::json& run) : file_(run["samples"].get<std::string>(), std::ios::binary) {}
+
+  void write(double time, double base_y, const std::vector<Point>& places)
+  {
+    writeDoubles(&time, 1);
+    writeDoubles(&base_y, 1);
+    for (const Point& place : places)
+      writeDoubles(&place.x, 2);
+  }
+
+private:
+  void writeDoubles(const double* values, std::size_t count)
+  {
+    file_.write(reinterpret_cast<const char*>(values), static_cast<std::streamsize>(count * sizeof(double)));
+  }
+
+  std::ofstream file_;
+};
 
 struct Disk
 {
-  Point start;  ///< at rest
-  double radius;
-  double mass;
+  double x, y;  ///< start, at rest
+  double radius, mass;
 };
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Disk, x, y, radius, mass)
 
-/// The scene, in the words of the other programs.
+/// The scene in the words of the other programs, by mixture_of() of runs.py.
 struct Mixture
 {
-  explicit Mixture(const nlohmann::json& run)
-  {
-    const nlohmann::json& scene = run["scene"];
-    base = scene["base"];
-    teeth = base["teeth"];
-    tooth_width = base["tooth_width"];
-    tooth_height = base["tooth_height"];
-    amplitude = base["amplitude"];
-    omega = TWO_PI * base["frequency"].get<double>();
-    gravity = scene["gravity"];
-    drop_height = scene["pour"]["drop_height"];
-    restitution = scene["species"][0]["restitution"];
-    friction = scene["species"][0]["friction"];
-    for (const nlohmann::json& disk : run["disks"])
-    {
-      const nlohmann::json& species = scene["species"][disk[0].get<std::size_t>()];
-      disks.push_back({{disk[1], disk[2]}, species["radius"], species["mass"]});
-    }
-  }
-
-  double width() const { return teeth * tooth_width; }
-
   /// Of the base [m].
   double displacement(double time) const { return amplitude * std::sin(omega * time); }
   double velocity(double time) const { return amplitude * omega * std::cos(omega * time); }
 
-  /// Foot, apex, foot, ... from left to right, EXTRA_TEETH beyond either end.
-  std::vector<Point> outline() const
-  {
-    const double asymmetry = base["asymmetry"];
-    std::vector<Point> points;
-    for (int tooth = -EXTRA_TEETH; tooth < teeth + EXTRA_TEETH; ++tooth)
-    {
-      points.push_back({tooth * tooth_width, 0.0});
-      points.push_back({(tooth + asymmetry) * tooth_width, tooth_height});
-    }
-    points.push_back({(teeth + EXTRA_TEETH) * tooth_width, 0.0});
-    return points;
-  }
-
-  nlohmann::json base;
-  int teeth;
-  double tooth_width, tooth_height, amplitude, omega, gravity, drop_height;
+  double width, clear_height, amplitude, omega, gravity;
   double restitution, friction;  ///< of every contact
+  std::vector<Point> outline;    ///< foot, apex, foot, ... from left to right, some teeth beyond either end
   std::vector<Disk> disks;
 };
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Mixture, width, clear_height, amplitude, omega, gravity, restitution,
+                                   friction, outline, disks)
 
 /// Runs the scene in a time-stepping program without a periodic boundary. World: step(k) executes step k, to
 /// (k + 1) dt; place(i) a disk's centre [m]; moveTo(i, point, stop) moves it, at rest if `stop`; contacts()
@@ -129,7 +179,7 @@ private:
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       places[i] = world_.place(i);
-      places[i].x += wraps_[i] * mixture_.width();
+      places[i].x += wraps_[i] * mixture_.width;
     }
     const double time = static_cast<double>(k) * step_;
     samples_.write(time, mixture_.displacement(time), places);
@@ -137,7 +187,7 @@ private:
 
   void takeBackWhatLeft()
   {
-    const double width = mixture_.width();
+    const double width = mixture_.width;
     for (std::size_t i = 0; i < wraps_.size(); ++i)
     {
       const Point at = world_.place(i);
@@ -158,7 +208,7 @@ private:
   /// A height above every disk of the column at x.
   double clearHeight(std::size_t i, double x) const
   {
-    double y = mixture_.tooth_height + mixture_.amplitude + mixture_.drop_height;
+    double y = mixture_.clear_height;
     for (std::size_t j = 0; j < wraps_.size(); ++j)
     {
       const double reach = mixture_.disks[i].radius + mixture_.disks[j].radius;

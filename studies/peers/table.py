@@ -7,7 +7,7 @@ import subprocess
 
 from ratchet_sieve import origin
 from ratchet_sieve.texts import table
-from peers import runs
+from peers import lammps_mixture, runs
 
 MM = 1e3  # per m
 BUSY = 0.95  # a run with a smaller share of its core did not have it alone
@@ -38,7 +38,7 @@ def libraries(programs, taken):
         if not own:
             continue
         if name == "lammps":
-            about = f"{package_of(shutil.which(runs.LAMMPS))}; one process"
+            about = f"{package_of(shutil.which(lammps_mixture.PROGRAM))}; one process"
         else:
             loaded = re.search(rf"lib{name}\S* => (\S+)", output("ldd", str(programs / runs.PROGRAMS[name])))
             about = package_of(loaded.group(1)) if loaded else "not from a package"
@@ -81,7 +81,7 @@ def render(programs, taken, missing, about):
     """@param missing names of programs. @param about date and machine"""
     own = by_row(taken)
     ours = own[runs.ROW]
-    lines = [f"{origin.text(about)}, {ours[0]['compiler']}. {max(map(len, own.values()))} runs of each row in turns "
+    lines = [f"{origin.text(about)}. {max(map(len, own.values()))} runs of each row in turns "
              f"(LAMMPS: one), on one core; medians. {shared(sum(own.values(), []))}", *libraries(programs, taken)]
     if missing:
         lines.append(f"- Not installed, and left out: {', '.join(missing)}")

@@ -19,8 +19,8 @@ def run_round(program, sweep):
         file, results = (pathlib.Path(directory) / name for name in ("point.yaml", "point.db"))
         file.write_text(json.dumps(sweep), encoding="utf-8")  # JSON is YAML
         before = processor_time()
-        status = call("timeout", [str(LIMIT), str(program), "run", str(file), "--db", str(results), "--threads", "1",
-                                  "--checkpoint-every", "0"], (0, 1, TIMED_OUT), None)
+        call("timeout", [str(LIMIT), str(program), "run", str(file), "--db", str(results), "--threads", "1",
+                         "--checkpoint-every", "0"], (0, 1, TIMED_OUT), None)
         seconds = processor_time() - before
         rows = export(program, file, results, 1, draw_only=True)
     simulated = sum(rows.samples("simulated_time"))

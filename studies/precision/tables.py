@@ -2,11 +2,10 @@
 accuracy.json."""
 import dataclasses
 import math
-import re
 
 from ratchet_sieve.stats import Mean
 from ratchet_sieve.texts import decimals_of, rounded, span, table as markdown
-from precision.points import CLAIMS, FLOORS, REFERENCE_FLOOR, SCENES_FLOOR, STEPS, by_scene, find, floor_of
+from precision.points import CLAIMS, FLOORS, REFERENCE_FLOOR, SCENES_FLOOR, STEPS, find, floor_of, ms
 
 PERCENT = 100.0
 LEAST = 1e-3  # that is printed [%]
@@ -42,11 +41,6 @@ def bound(error):
     return abs(error.value) + error.half_width()
 
 
-def largest(found):
-    """The largest bound of several errors; None where there is none."""
-    return max((bound(error) for error in found if error is not None), default=None)
-
-
 def text(error):
     """As +1.2 ± 0.4, in per cent with the half-width at 95 %."""
     if error is None:
@@ -60,8 +54,6 @@ def text(error):
 
 def bound_text(value):
     """In per cent, rounded up to two digits."""
-    if value is None:
-        return "—"
     percent = PERCENT * value
     if percent < 0.01:
         return "0.01"
@@ -74,22 +66,8 @@ ENERGIES = ("K_A", "K_B", "kinetic energy", "K_rot / K_trans")
 DRIFTS = ("drift A", "drift B")
 
 
-def speed_up(point, exact):
-    """@return exact time over the point's; None where one was not measured"""
-    return exact.cost / point.cost if exact and exact.cost and point and point.cost else None
-
-
-def speed_text(speed):
-    return "—" if speed is None else f"{speed:.{0 if speed >= 10.0 else 1 if speed >= 1.0 else 2}f}"
-
-
 def seeds(points):
     return f"n = {span(sorted({mean.count for point in points for mean in point.means.values()}))}"
-
-
-def quantities(point):
-    """In the order of the scene."""
-    return list(point.scene.observables)
 
 
 def about(points):
@@ -100,57 +78,46 @@ def about(points):
     return f"*{'. '.join(said)}.*\n\n"
 
 
-def bounds(groups):
-    """The largest bound of each scene's drifts, energies and others, by step."""
-    lines, used, names = [], [], [f"{1e3 * step:g} ms" for step in STEPS]
-    for points in groups.values():
-        steps = {point.label: point for point in points if point.family == "steps" and point.is_measured()}
-        exact = find(points, "exact")
-        if not steps:
-            continue
-        used += steps.values()
-        lines.append([points[0].scene.title, "times faster",
-                      *(speed_text(speed_up(steps.get(name), exact)) for name in names)])
-        for title, chosen in parts_of(points):
-            lines.append(["", f"{title}, ≤ %", *(bound_text(step_bound(points, steps.get(name), chosen))
-                                                 for name in names)])
-    return about(used) + markdown(["scene", "", *names], lines)
+def bounds(groups, known):
+    """The largest bound of each scene's drifts, energies and others, by step. @param known figures()"""
+    lines, used = [], []
+    for name, points in groups.items():
+        rows = {"speedup": "times faster", **{key: f"{title}, ≤ %" for key, title, _ in parts_of(points[0])}}
+        steps = [point for point in points if point.family == "steps"]
+        used += steps
+        for key, title in rows.items() if steps else ():
+            lines.append([points[0].scene.title if key == "speedup" else "", title,
+                          *(known.get(f"{name}.{FAMILIES['steps']}{in_key(ms(step))}.{key}", "—") for step in STEPS)])
+    return about(used) + markdown(["scene", "", *map(ms, STEPS)], lines)
 
 
-def parts_of(points):
-    """@return pairs (title, names of quantities) of a scene"""
-    groups = (("drifts", DRIFTS), ("energies", ENERGIES), ("Q", ("Q",)), ("P", ("P",)))
-    for title, names in groups:
-        own = [name for name in quantities(points[0]) if name in names]
+def parts_of(point):
+    """@return of each part of a scene's quantities the key of its bound, its title and their names"""
+    groups = (("drifts", "drifts", DRIFTS), ("energies", "energies", ENERGIES), ("q", "Q", ("Q",)), ("p", "P", ("P",)))
+    for key, title, names in groups:
+        own = [name for name in point.scene.observables if name in names]
         if own:
-            yield title, own
+            yield f"bound.{key}", title, own
 
 
-def step_bound(points, point, names):
-    if point is None:
-        return None
-    return largest(relative(point.means.get(name), exact_value(points, name)) for name in names)
-
-
-# The quantities of a scene that are shown over the rebound floor.
+# The numbers of a scene that are shown over the rebound floor.
 OVER_FLOOR = {"fig3": ("drift A", "short / long"), "fig8": DRIFTS, "fig9": ("Q",), "dense": ("times faster", *DRIFTS),
               "violent": ("drift A",)}
 
 
-def floors(groups):
-    """Rebound floors against the least one."""
+def floors(groups, known):
+    """Rebound floors against the least one. @param known figures()"""
     shown = [floor for floor in FLOORS if floor != REFERENCE_FLOOR]
     lines, used = [], []
-    for name, quantities_shown in OVER_FLOOR.items():
+    for name, numbers in OVER_FLOOR.items():
         points = groups.get(name, [])
-        at_floors = {floor_of(point): point for point in points if point.is_measured()}
-        own = [at_floors.get(floor) for floor in shown]
-        for quantity in quantities_shown if any(own) else ():
-            cells = ([speed_text(speed_up(point, find(points, "exact"))) for point in own] if quantity == "times faster"
-                     else [text(point and relative(point.means.get(quantity), least_floor(points, quantity)))
-                           for point in own])
-            lines.append([f"{points[0].scene.title}: {quantity}" + (", %" if quantity in NAMES else ""), *cells])
-        used += [point for point in own if point]
+        used += [point for point in points if floor_of(point) in shown]
+        for number in numbers if points else ():
+            key, unit = (f"error.{NAMES[number]}", ", %") if number in NAMES else ("speedup", "")
+            # The exact run itself is the one that others are faster than.
+            lines.append([f"{points[0].scene.title}: {number}{unit}", *(
+                known.get(f"{name}.floor_{in_key(f'{floor:g}')}.{key}", "1.0" if floor == SCENES_FLOOR else "—")
+                for floor in shown)])
     return about(used) + markdown(["", *(f"{floor:g} m/s" for floor in shown)], lines)
 
 
@@ -166,7 +133,7 @@ def verdict(error, claim):
 def failures(points, point, claim):
     """The errors that are not within a bound."""
     errors = {name: point and relative(point.means.get(name), exact_value(points, name))
-              for name in quantities(points[0])}
+              for name in points[0].scene.observables}
     found = [f"{name} {text(error)}: {verdict(error, claim)}" for name, error in errors.items()
              if verdict(error, claim) != "holds"]
     return "; ".join(found) or "all hold"
@@ -177,23 +144,20 @@ def claims(groups):
     scenes = list(groups.values())
     if not scenes:
         return ""
-    lines = [[f"{1e3 * step:g} ms", f"{PERCENT * claim:g}",
-              *(failures(points, find(points, "steps", f"{1e3 * step:g} ms"), claim) for points in scenes)]
+    lines = [[ms(step), f"{PERCENT * claim:g}",
+              *(failures(points, find(points, "steps", ms(step)), claim) for points in scenes)]
              for step, claim in CLAIMS.items()]
     return about(sum(scenes, [])) + markdown(
         ["step", "bound, %", *(f"{points[0].scene.title} ({seeds(points)})" for points in scenes)], lines)
 
 
-def large_costs(points):
-    """@return pairs (setting, (cost of the first second [s], of a simulated second after it [s]))"""
-    scenes = list(by_scene([point for point in points if point.cost]).values())
-    if len(scenes) != 2:
-        return []
+def large_costs(groups):
+    """@return pairs (setting, cost of a simulated second after the first one [s])"""
     found = []
-    for first in scenes[0]:
-        for whole in (point for point in scenes[1] if point.label == first.label):
+    for first, whole in zip(*groups.values()) if len(groups) == 2 else ():
+        if first.cost and whole.cost:
             start, end = (point.scene.settings["duration"] for point in (first, whole))
-            found.append((first, (first.cost * start, (whole.cost * end - first.cost * start) / (end - start))))
+            found.append((first, (whole.cost * end - first.cost * start) / (end - start)))
     return found
 
 
@@ -204,24 +168,27 @@ FAMILIES = {"steps": "steps_", "rebound floor": "floor_", "contact duration": "c
             "restitution by speed": "restitution_", "floor, in steps of 1 ms": "steps_1ms_floor_"}
 
 
+def in_key(label):
+    """As `1ms`, `0_025`."""
+    return label.replace(" m/s", "").replace(" ", "").replace(".", "_")
+
+
 def setting(point):
     """As `steps_1ms`, `floor_0_025`, `no_spin`."""
-    if point.family in FAMILIES:
-        return FAMILIES[point.family] + re.sub(r"[ .]", lambda found: "_" if found.group() == "." else "",
-                                               point.label.replace(" m/s", ""))
-    return point.family.replace(" ", "_")
+    prefix = FAMILIES.get(point.family)
+    return prefix + in_key(point.label) if prefix else point.family.replace(" ", "_")
 
 
 def of_errors(points, point, prefix, reference):
-    found = {name: relative(point.means.get(name), reference(points, name)) for name in quantities(point)}
+    found = {name: relative(point.means.get(name), reference(points, name)) for name in point.scene.observables}
     for name, error in found.items():
         if error is not None:
             yield f"{prefix}.error.{NAMES[name]}", text(error)
             yield f"{prefix}.bound.{NAMES[name]}", bound_text(bound(error))
-    for title, names in parts_of(points):
-        most = largest(found[name] for name in names)
-        if most is not None and title in ("drifts", "energies"):
-            yield f"{prefix}.bound.{title}", bound_text(most)
+    for key, _, names in parts_of(point):
+        most = max((bound(found[name]) for name in names if found[name]), default=None)
+        if most is not None:
+            yield f"{prefix}.{key}", bound_text(most)
 
 
 def of_scene(points):
@@ -231,16 +198,15 @@ def of_scene(points):
         yield f"{name}.exact.cost", f"{exact.cost:.3g}"
     for point in points:
         prefix = f"{name}.{setting(point)}"
-        speed = speed_up(point, exact)
-        if speed is not None and point is not exact:
-            yield f"{prefix}.speedup", speed_text(speed)
+        if exact and exact.cost and point.cost and point is not exact:
+            speed = exact.cost / point.cost
+            yield f"{prefix}.speedup", f"{speed:.{0 if speed >= 10.0 else 1 if speed >= 1.0 else 2}f}"
         if point.family == "steps":
             yield from of_errors(points, point, prefix, exact_value)
         elif name not in ("ball", "gas"):
-            floor = floor_of(point)
             if point is exact:
-                prefix = f"{name}.floor_{SCENES_FLOOR:g}".replace("0.", "0_")
-            if floor != REFERENCE_FLOOR:
+                prefix = f"{name}.floor_{in_key(f'{SCENES_FLOOR:g}')}"
+            if floor_of(point) != REFERENCE_FLOOR:
                 yield from of_errors(points, point, prefix, least_floor)
 
 
@@ -253,8 +219,8 @@ def figures(groups, large, results, costs):
     for points in groups.values():
         found.update(of_scene(points))
     after = large_costs(large)
-    for point, (_, cost) in after:
+    for point, cost in after:
         found[f"large.{setting(point)}.cost"] = f"{cost:.2f}"
         if point.family == "steps":
-            found[f"large.{setting(point)}.speedup"] = f"{after[0][1][1] / cost:.1f}"
+            found[f"large.{setting(point)}.speedup"] = f"{after[0][1] / cost:.1f}"
     return found

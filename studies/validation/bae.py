@@ -2,10 +2,9 @@
 import math
 
 from ratchet_sieve import plots
-from study import Picture, Study, axis, csv_lines, named_curves
+from study import E, Picture, Study, axis, csv_lines, named_curves
 import verdicts
 
-E = "species.0.restitution"
 HEIGHT = "base.tooth_height"
 AMPLITUDE = "base.amplitude"
 WIDTH = 0.005    # of the teeth [m]
@@ -56,11 +55,6 @@ def velocities(rows):
     return {e: {(strength(amplitude), round(height / WIDTH, 9)): cell.mean("mean_vx.A")
                 for (height, amplitude), cell in group.by(HEIGHT, AMPLITUDE).items()}
             for e, group in sorted(rows.by(E).items())}
-
-
-def evaluate(rows):
-    """@return velocities() of the search, and of the fresh seeds at places that it had found"""
-    return {"map": velocities(rows["validation_bae"]), "fresh": velocities(rows["validation_bae_fresh"])}
 
 
 def draw_regimes(numbers):
@@ -118,7 +112,9 @@ def claims(numbers):
 
 
 STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others 2004)",
-              ("validation_bae", "validation_bae_fresh"), evaluate,
+              ("validation_bae", "validation_bae_fresh"),  # of a search, and of fresh seeds at places that it had found
+              lambda rows: {name: velocities(rows[sweep]) for name, sweep in (
+                  ("map", "validation_bae"), ("fresh", "validation_bae_fresh"))},
               (Picture("bae_regimes", "Which way single grains go, over the strength of the shaking and the roughness "
                        f"of the teeth, a = 0.3; a current is more than {LEAST * plots.MM:g} mm/s with 95 %",
                        draw_regimes, ("validation_bae",)),

@@ -6,11 +6,8 @@ import dataclasses
 from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows
 from ratchet_sieve.texts import shown
-from curves import best_of
-from study import WAYS, Picture, Study, axis, csv_lines, kind_curves, over
+from study import THETA, WAYS, Picture, Study, axis, csv_lines, kind_curves, over
 import verdicts
-
-THETA = "base.inclination"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -64,30 +61,21 @@ def named(place, ratchet):
     return f"{ROW_NAME} = {row:g}, {', '.join(values)}, θ = {theta:g}".replace("-", "−")
 
 
-def opposed_at(means):
-    """@return places where one kind goes to the right and the other to the left, with both"""
-    return {place: pair for place, pair in means.items() if verdicts.opposite(*pair[:2])}
-
-
-def evaluator(name):
-    def evaluate(rows):
-        open_rows = rows[f"{name}_open"]
-        return {"means": {ratchet: velocities(rows[name + ratchet.suffix], ratchet) for ratchet in RATCHETS},
-                "quality": over(open_rows, ("quality", "processed"), THETA),
-                "best": best_of(open_rows, THETA, "quality"), "fresh": confirmed(rows[f"{name}_fresh"])}
-    return evaluate
+def evaluate(name, rows):
+    return {"means": {ratchet: velocities(rows[name + ratchet.suffix], ratchet) for ratchet in RATCHETS},
+            "quality": over(rows[f"{name}_open"], ("quality", "processed"), THETA),
+            "fresh": confirmed(rows[f"{name}_fresh"])}
 
 
 def confirmed(rows):
     """@return of the three places of the fresh seeds: B's drift less A's on the teeth of Fig. 3, both drifts on steep
-    teeth, Q on the open base; each with the place in words; and the seeds"""
+    teeth, Q on the open base; each with the place in words"""
     open_, periodic = rows.where({"boundary": "open"}), Rows(rows.frame[rows.frame["boundary"] != "open"])
     parts = periodic.by("base.tooth_width")
     fig3, steep = parts[max(parts)], parts[min(parts)]
     return {"differing": fig3.mean(lambda row: row["mean_vx.B"] - row["mean_vx.A"]), "differing_at": place_of(fig3, 0),
             "opposed": (steep.mean("mean_vx.A"), steep.mean("mean_vx.B")), "opposed_at": place_of(steep, 1),
-            "quality": open_.mean("quality"), "quality_at": f"θ = {shown(open_[0][THETA])}",
-            "seeds": rows.values("seed")}
+            "quality": open_.mean("quality"), "quality_at": f"θ = {shown(open_[0][THETA])}"}
 
 
 def place_of(rows, index):
@@ -118,29 +106,17 @@ def opposite(fresh):
                           f"A {verdicts.speed(a)}, B {verdicts.speed(b)}", verdicts.opposite(a, b))
 
 
-def segregates(fresh):
-    return verdicts.above(f"on an open base Q > {USEFUL:g} ({fresh['quality_at']})", fresh["quality"], USEFUL)
-
-
-def claimer(number, word):
-    def claims(numbers):
-        fresh = numbers["fresh"]
-        return [verdicts.Claim(number, "Farkas 2002, abstract", "two kinds of the same size that differ only in their "
-                               f"{word} coefficient can be segregated by an appropriately chosen ratchet",
-                               (differs(fresh), opposite(fresh), segregates(fresh)))]
-    return claims
-
-
-def drift_lines(numbers):
-    """Of both ratchets; the keys' names differ, and stand in the first column."""
-    cells = {(ratchet.about, *map(float, place)): found for ratchet, means in numbers["means"].items()
-             for place, found in means.items()}
-    return csv_lines(("teeth", "d", "column", "curve", "theta_rad"), (*WAYS, "b_less_a_m_per_s"), cells)
+def claims(number, word, fresh):
+    return [verdicts.Claim(number, "Farkas 2002, abstract", "two kinds of the same size that differ only in their "
+                           f"{word} coefficient can be segregated by an appropriately chosen ratchet",
+                           (differs(fresh), opposite(fresh),
+                            verdicts.above(f"on an open base Q > {USEFUL:g} ({fresh['quality_at']})", fresh["quality"],
+                                           USEFUL)))]
 
 
 def text(numbers):
     """Where the kinds go opposite ways in the search."""
-    found = [f"{len(opposed_at(means))} of {len(means)} on {ratchet.about}"
+    found = [f"{sum(bool(verdicts.opposite(a, b)) for a, b, _ in means.values())} of {len(means)} on {ratchet.about}"
              for ratchet, means in numbers["means"].items()]
     return f"Of the search's settings they go opposite ways at {' and '.join(found)}."
 
@@ -159,10 +135,13 @@ def study(number, word, names, scene):
                       "standard errors over the seeds", draw_quality, (f"{sweep}_open",), (6.0, 3.6))
     return Study(name, f"One size, another {word} (Farkas and others 2002)",
                  (*(sweep + ratchet.suffix for ratchet in RATCHETS), f"{sweep}_open", f"{sweep}_fresh"),
-                 evaluator(sweep),
-                 (*(picture(name, word, names, ratchet) for ratchet in RATCHETS[::-1]), quality), claimer(number, word),
-                 text, tables=lambda numbers: {
-                     name: drift_lines(numbers),
+                 lambda rows: evaluate(sweep, rows),
+                 (*(picture(name, word, names, ratchet) for ratchet in RATCHETS[::-1]), quality),
+                 lambda numbers: claims(number, word, numbers["fresh"]), text, tables=lambda numbers: {
+                     # Of both ratchets; the keys' names differ, and stand in the first column.
+                     name: csv_lines(("teeth", "d", "column", "curve", "theta_rad"), (*WAYS, "b_less_a_m_per_s"), {
+                         (ratchet.about, *map(float, place)): found for ratchet, means in numbers["means"].items()
+                         for place, found in means.items()}),
                      f"{name}_quality": csv_lines(("theta_rad",), ("q", "p"), numbers["quality"])})
 
 

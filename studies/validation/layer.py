@@ -2,12 +2,9 @@
 from ratchet_sieve import plots
 from ratchet_sieve.stats import jackknife
 from curves import curve_of
-from study import Picture, Study, axis, csv_lines, family, means, named_curves
+from study import D, E, F, Picture, Study, axis, csv_lines, family, means, named_curves
 import verdicts
 
-D = "density"
-F = "base.frequency"
-E = "species.0.restitution"
 LEAST = 0.0005  # m/s that count as a current
 SUDDEN = 0.5    # of the greatest current within one step of the frequency: an onset that is sudden
 

@@ -1,19 +1,13 @@
 """One ball over the asymmetry of the teeth (Okishio, Ito, Kitahata 2022)."""
 from ratchet_sieve import plots
-from study import Picture, Study, axis, csv_lines, family, means
+from study import A, E, Picture, Study, axis, csv_lines, family, means
 import verdicts
 
-E = "species.0.restitution"
-A = "base.asymmetry"
 SYMMETRIC = 0.5
 
 
-def evaluate(rows):
-    """@return mean velocities of each (a, e) [m/s]"""
-    return means(rows["validation_okishio"], "mean_vx.A", A, E)
-
-
 def draw(axes, velocities):
+    """@param velocities of each (a, e) [m/s]"""
     family(axes, {f"e = {e:g}": [(a, velocities[a, e]) for a in axis(velocities, 0)] for e in axis(velocities, 1)},
            plots.MM)
     plots.signed(axes)
@@ -35,7 +29,7 @@ def claims(velocities):
 
 
 STUDY = Study("okishio", "One ball over the asymmetry (Okishio and others 2022)",
-              ("validation_okishio",), evaluate,
+              ("validation_okishio",), lambda rows: means(rows["validation_okishio"], "mean_vx.A", A, E),
               (Picture("okishio", "Mean velocity of single balls over the asymmetry of the teeth; bars: standard "
                        "errors over the seeds", draw, size=(6.4, 4.0)),), claims,
               tables=lambda velocities: {"okishio": csv_lines(("a", "e"), ("mean_vx_m_per_s",), velocities)})

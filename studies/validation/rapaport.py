@@ -1,20 +1,13 @@
 """Large and small disks of one material in a layer on a level base (Rapaport 2001)."""
 from ratchet_sieve import plots
-from study import Picture, Study, axis, csv_lines, kind_curves, ways
+from study import D, E, F, Picture, Study, axis, csv_lines, kind_curves, ways
 import verdicts
 
-D = "density"
-F = "base.frequency"
-E = "species.0.restitution"
 KINDS = ("small", "large")
 
 
-def evaluate(rows):
-    """@return map from (e, f, d) to the mean velocities of small and large disks [m/s]"""
-    return ways(rows["validation_rapaport"], E, F, D)
-
-
 def draw(means):
+    """@param means map from (e, f, d) to the mean velocities of small and large disks [m/s]"""
     restitutions, frequencies, densities = (axis(means, index) for index in range(3))
     figure, row = plots.panels(1, len(restitutions), (8.6, 3.9), sharey=True, squeeze=False)
     for axes, e in zip(row[0], restitutions):
@@ -43,7 +36,8 @@ def claims(means):
                            "small particles are horizontally driven in opposite directions", (check,))]
 
 
-STUDY = Study("rapaport", "Large and small disks in a layer (Rapaport 2001)", ("validation_rapaport",), evaluate,
+STUDY = Study("rapaport", "Large and small disks in a layer (Rapaport 2001)", ("validation_rapaport",),
+              lambda rows: ways(rows["validation_rapaport"], E, F, D),
               (Picture("rapaport", "Mean velocities of small (0.5 mm) and large (1 mm) disks in a layer over its "
                        "thickness, on steep teeth; bars: standard errors over the seeds", draw),), claims,
               tables=lambda means: {"rapaport": csv_lines(

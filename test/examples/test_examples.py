@@ -39,11 +39,11 @@ def place(tmp_path, monkeypatch):
 
 
 def executed(name, place, parameters=""):
-    """With other parameters, in a cell behind that of the notebook's own."""
+    """With other parameters, behind the notebook's own."""
     notebook = read(name)
     own = [k for k, cell in enumerate(notebook.cells) if "parameters" in cell.metadata.get("tags", [])]
     assert len(own) == 1, "one cell has the tag `parameters`"
-    notebook.cells.insert(own[0] + 1, nbformat.v4.new_code_cell(parameters))
+    notebook.cells[own[0]].source += f"\n{parameters}"
     # The kernel is this interpreter, which finds the package.
     nbclient.NotebookClient(notebook, timeout=LONGEST, kernel_name="python3",
                             resources={"metadata": {"path": str(place)}}).execute()

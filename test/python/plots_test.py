@@ -12,7 +12,7 @@ from ratchet_sieve.plots.curves import RAMP, SIGNED, STEPS
 from ratchet_sieve.plots.machine import surface
 from ratchet_sieve.plots.maps import colour_steps
 from ratchet_sieve.plots.means import plain_label
-from ratchet_sieve.plots.sweep_page import Pages, cases_of
+from ratchet_sieve.plots.sweep_page import cases_of, pages_of
 from ratchet_sieve.tables import Rows
 
 SAWTOOTH = {"teeth": 3, "tooth_width": 0.02, "tooth_height": 0.006, "asymmetry": 0.25}
@@ -128,7 +128,7 @@ class SweepReports(unittest.TestCase):
             kept = pathlib.Path(name) / 'kept #1'
             kept.mkdir()
             (kept / '1.html').touch()
-            cases = cases_of(rows, Pages(kept, pathlib.Path(name) / 'report'))
+            cases = cases_of(rows, pages_of(kept, pathlib.Path(name) / 'report'))
         self.assertEqual(cases, [
             {'arguments': '--set gravity=8', 'seeds': ['18446744073709551615', '2'],
              'pages': [None, '../kept%20%231/1.html']},

@@ -3,7 +3,7 @@ import pathlib
 import tempfile
 import unittest
 
-from ratchet_sieve.tables import Refusal, Rows, Table, joined, read_rows, throughput, write_csv
+from ratchet_sieve.tables import Refusal, Rows, joined, read_rows, read_table, throughput, write_csv
 
 CASES = """base.frequency,boundary,seed,status,simulated_time,left.A,right.A,left.B,right.B,quality,scene_hash
 20,open,1,done,10,1,2,3,4,0.5,1e5
@@ -25,10 +25,10 @@ class Tables(unittest.TestCase):
         return reader(self.path)
 
     def test_columns_are_named_without_their_units(self):
-        table = self.read("time [s],species\n0,1e5\n2.5,B\n,B\n", Table)
-        self.assertEqual(table.values("species"), ["1e5", "B"])
+        table = self.read("time [s],species\n0,1e5\n2.5,B\n,B\n", read_table)
+        self.assertEqual(list(table.by("species")), ["1e5", "B"])
         self.assertEqual(list(table.numbers("time", 2.0)[:2]), [0.0, 5.0])
-        self.assertEqual(str(table.where("species", "B").numbers("time")), "[2.5 nan]")
+        self.assertEqual(str(table.where({"species": "B"}).numbers("time")), "[2.5 nan]")
 
     def test_what_is_no_table_of_numbers_is_refused(self):
         for text, column, because in (("time\n1e\n", "time", "time: 1e: must be a number"),
@@ -36,7 +36,7 @@ class Tables(unittest.TestCase):
                                       ("time\n1,2\n", "time", "line 2: 2 fields, must be 1"),
                                       ("time\n1", "time", "cut off, its last line has no end")):
             with self.assertRaisesRegex(Refusal, f"^{self.path}: {because}$"):
-                self.read(text, Table).numbers(column)
+                self.read(text, read_table).numbers(column)
 
     def test_rows_are_the_runs_that_are_done(self):
         rows = self.read(CASES, read_rows)

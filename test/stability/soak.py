@@ -22,6 +22,7 @@ from std_srvs.srv import Empty
 
 import measure_memory
 import ros_processes
+from ratchet_sieve import processes
 from ratchet_sieve.srv import PourDisks
 from ratchet_sieve.texts import table
 from report import ROOT
@@ -41,14 +42,14 @@ class Master:
     """A master that can be killed and started again at the same address."""
 
     def __init__(self, scratch):
-        self.port = ros_processes.choose_master(scratch)
+        self.port = processes.choose_master(scratch)
         self.client = rosgraph.Master('/soak')
         self.start()
 
     def start(self):
         self.process = subprocess.Popen(['rosmaster', '--core', '-p', self.port],
                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        ros_processes.wait_for(self.client.is_online, 'the master answers')
+        processes.wait_for(self.client.is_online, 'the master answers')
 
     def kill(self):
         self.process.kill()
@@ -64,7 +65,7 @@ class Commander:
         clock = rospy.Subscriber('/sieve/statistics', rospy.AnyMsg, self.see)
         for connection in (clock, *self.publishers.values()):
             stack.callback(connection.unregister)
-        ros_processes.wait_for(lambda: self.time > 0.0 and all(publisher.get_num_connections()
+        processes.wait_for(lambda: self.time > 0.0 and all(publisher.get_num_connections()
                                                                for publisher in self.publishers.values()), 'a sieve')
         rospy.wait_for_service('/sieve/pour', ros_processes.TIMEOUT)
         self.pour, self.pause, self.unpause = (

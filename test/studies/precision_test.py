@@ -56,7 +56,7 @@ class Verdicts(unittest.TestCase):
 class Tables(unittest.TestCase):
     def test_are_read_as_they_were_written(self):
         own = fig8(exact=Mean(2.0, 0.1, 10), steps_1ms=Mean(2.1, 0.1, 10))
-        own[0].cost, own[0].overlap = 0.5, 1e-3
+        own[0].cost, own[0].counts = 0.5, {"overlap": 1e-3}
         origin = points.Origin("2026-11-23", "a machine", "2")
         with tempfile.TemporaryDirectory() as directory:
             path = pathlib.Path(directory)

@@ -146,11 +146,13 @@ def _answer(search, fresh, notes, floor, begin):
     if separated:
         notes += _edges(machine, settings)
     rows, surface = search.runs, _map(search)
+    if fresh is not None:  # each of its warnings once
+        notes += dict.fromkeys(filter(None, "\n".join(map(str, fresh["warning_text"].dropna())).splitlines()))
     cost = Values(runs=len(rows), simulated=float(rows["simulated_time"].sum()),
                   processor=time.process_time() - begin[1], seconds=time.monotonic() - begin[0])
     return Answer(machine=machine, best=settings if separated else None, separation=found, separated=separated,
                   bound=search.bound, within=search.within, as_good=_as_good(search, surface, separated), map=surface,
-                  runs=rows, seen=machine.observed(rows), cost=cost, floor=floor, warnings=notes + _warned(fresh),
+                  runs=rows, seen=machine.observed(rows), cost=cost, floor=floor, warnings=notes,
                   **_of_products(machine, fresh))
 
 
@@ -175,12 +177,6 @@ def _edges(machine, settings):
         for end, name in ((low, "lower"), (high, "upper")):
             if abs(settings[key] - end) < EDGE * (high - low):
                 yield f"{key} = {settings[key]:g} is at the {name} end of its range: a better one may lie beyond"
-
-
-def _warned(fresh):
-    """The warnings of the fresh runs, each once."""
-    texts = [] if fresh is None else fresh["warning_text"].dropna()
-    return list(dict.fromkeys(line for text in texts for line in str(text).splitlines() if line))
 
 
 def _map(search):

@@ -147,10 +147,6 @@ class Search:
             may = np.maximum(may, other)
         return np.where(self.works, may, -np.inf)
 
-    def is_separated(self):
-        """Whether the sign of the best is known."""
-        return abs(self.value[self.best]) > ANYWHERE * self.error[self.best]
-
     def nowhere(self):
         """Whether the value is surely small everywhere."""
         return self.machine.is_signed and self.bound < 0.5 * self.within
@@ -178,9 +174,10 @@ class Search:
         most = np.maximum(LONG_COST * self._usual / cost, 1.0)
         picks, places, errors = {}, [], []
         may, error = self.may, self.error
+        sign_is_known = abs(self.value[self.best]) > ANYWHERE * error[self.best]
         for _ in range(BATCH):
             over = may / self.within - 1.0
-            if not self.is_separated() and self.machine.is_signed:
+            if self.machine.is_signed and not sign_is_known:
                 over = np.maximum(over, (np.abs(self.value) + ANYWHERE * error) / (0.5 * self.within) - 1.0)
             over = np.where(self.works & (most >= 1.0), over, 0.0)
             if over.max() <= 0.0:
@@ -205,16 +202,14 @@ class Search:
 
     def _neighbours(self):
         """Those of the best that no run has come near, the far ones first: else a narrow ridge would be missed."""
+        directions = np.vstack([np.eye(self.grid.shape[1]), -np.eye(self.grid.shape[1])])  # along one range each
         for far in NEIGHBOURS:
-            found = [k for k in self._beside(far) if self.works[k] and not self._is_known(k, far)]
+            beside = dict.fromkeys(self._nearest(place) for place in
+                                   np.clip(self.grid[self.best] + far * directions, 0.0, 1.0))
+            found = [k for k in beside if self.works[k] and not self._is_known(k, far)]
             if found:
                 return found
         return []
-
-    def _beside(self, far):
-        """The places that are so far from the best along one range, each once."""
-        steps = far * np.vstack([np.eye(self.grid.shape[1]), -np.eye(self.grid.shape[1])])
-        return dict.fromkeys(self._nearest(np.clip(self.grid[self.best] + step, 0.0, 1.0)) for step in steps)
 
     def _is_known(self, k, far):
         """Whether runs within half the distance have told the value at a place."""

@@ -2,11 +2,6 @@
 into matplotlib's axes, and need no screen."""
 from ratchet_sieve.plots.curves import curve, distribution, end_labels, key_colours, ramp, signed, signed_ramp
 from ratchet_sieve.plots.machine import machine, trajectories
-from ratchet_sieve.plots.maps import class_legend, class_map, label_cells, lone_legend, mark_cells, value_map
+from ratchet_sieve.plots.maps import class_legend, class_map, mark_cells, value_map
 from ratchet_sieve.plots.results import bins, displacements, sweep_curves, sweep_map, tracks
 from ratchet_sieve.plots.style import COLOURS, GREY, MM, beside, drawing, panels, save, say_undefined, styled
-
-__all__ = ["COLOURS", "GREY", "MM", "beside", "bins", "class_legend", "class_map", "curve", "displacements",
-           "distribution", "end_labels", "key_colours", "label_cells", "lone_legend", "machine", "mark_cells",
-           "panels", "ramp", "save", "say_undefined", "signed", "signed_ramp", "styled", "sweep_curves",
-           "sweep_map", "tracks", "trajectories", "value_map"]

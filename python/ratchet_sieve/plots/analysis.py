@@ -7,7 +7,7 @@ from ratchet_sieve.plots.curves import distribution, signed
 from ratchet_sieve.plots.observed import drawings_of_observed
 from ratchet_sieve.plots.program import parser_of, run_of, run_program, write
 from ratchet_sieve.plots.style import COLOURS, GREY, MM, UJ, any_defined, beside, describe, panels, say_undefined
-from ratchet_sieve.tables import Table
+from ratchet_sieve.tables import read_table
 
 FEWEST_DISKS = 5  # of which a distribution is drawn
 CONTACTS = {'disk_disk': 'disk-disk', 'left_slope': 'left slope', 'right_slope': 'right slope', 'apex': 'apex',
@@ -15,7 +15,7 @@ CONTACTS = {'disk_disk': 'disk-disk', 'left_slope': 'left slope', 'right_slope':
 
 
 def plot_bins(axes, bins):
-    for colour, (species, part) in zip(COLOURS, bins.by('species')):
+    for colour, (species, part) in zip(COLOURS, bins.by('species').items()):
         for place, label, options in (('left', 'left', {'linestyle': '--'}), ('right', 'right', {}),
                                       ('on_base', 'on the base', {'linestyle': ':', 'linewidth': 1.0})):
             axes.step(part.numbers('time'), part.numbers(place), where='post', color=colour, label=f'{species} {label}',
@@ -50,7 +50,7 @@ def plot_drive(axes, drive, quantity, label, colour, scale=1.0):
 
 
 def plot_drift(axes, drift):
-    for colour, (species, part) in zip(COLOURS, drift.by('species')):
+    for colour, (species, part) in zip(COLOURS, drift.by('species').items()):
         axes.plot(part.numbers('time'), part.numbers('displacement', MM), color=colour, label=species)
     signed(axes)
     describe(axes, 'Drift: mean displacement of the disks since each entered', 'displacement [mm]')
@@ -88,12 +88,12 @@ def draw_result(directory):
     heights = (3, 2, 1.1, 1.1, 1.1)
     figure, axes = panels(5, 1, (7.5, 8.5), None, sharex=True, gridspec_kw={'height_ratios': heights})
     if disks_can_leave(directory):
-        plot_bins(axes[0], Table(directory / 'bins.csv'))
-        plot_segregation(axes[1], Table(directory / 'segregation.csv'))
+        plot_bins(axes[0], read_table(directory / 'bins.csv'))
+        plot_segregation(axes[1], read_table(directory / 'segregation.csv'))
     else:
-        plot_drift(axes[0], Table(directory / 'drift.csv'))
-        plot_contacts(axes[1], Table(directory / 'contacts.csv'))
-    drive = Table(directory / 'drive.csv')
+        plot_drift(axes[0], read_table(directory / 'drift.csv'))
+        plot_contacts(axes[1], read_table(directory / 'contacts.csv'))
+    drive = read_table(directory / 'drive.csv')
     plot_drive(axes[2], drive, 'inclination', r'$\theta$ [rad]', COLOURS[4])
     plot_drive(axes[3], drive, 'frequency', '$f$ [Hz]', COLOURS[5])
     plot_drive(axes[4], drive, 'amplitude', '$A$ [mm]', COLOURS[3], MM)
@@ -103,20 +103,20 @@ def draw_result(directory):
 
 
 def disks_can_leave(directory):
-    bins = Table(directory / 'bins.csv')
-    return run_of(directory).texts('open_ends').iloc[0] == '1' or any(bins.numbers('left') + bins.numbers('right'))
+    bins = read_table(directory / 'bins.csv')
+    return run_of(directory).column('open_ends').iloc[0] == '1' or any(bins.numbers('left') + bins.numbers('right'))
 
 
 def draw_displacements(directory):
-    table = Table(directory / 'displacements.csv')
-    names, times = table.values('species'), table.values('time')
+    table = read_table(directory / 'displacements.csv')
+    names, times = list(table.by('species')), list(table.by('time'))
     figure, axes = panels(max(len(names), 1), 1, (6.5, 1.2 + 2.3 * max(len(names), 1)), None, sharex=True,
                           squeeze=False)
     shades = matplotlib.colormaps['viridis_r']
     for row, species in zip(axes[:, 0], names):
-        part = table.where('species', species)
+        part = table.where({'species': species})
         for index, time in enumerate(times):
-            histogram = part.where('time', time)
+            histogram = part.where({'time': time})
             disks = int(sum(histogram.numbers('count')))
             if disks < FEWEST_DISKS:
                 continue
@@ -134,13 +134,13 @@ def draw_displacements(directory):
 
 
 def draw_velocities(directory):
-    statistics, finals = Table(directory / 'statistics.csv'), Table(directory / 'velocities.csv')
+    statistics, finals = read_table(directory / 'statistics.csv'), read_table(directory / 'velocities.csv')
     figure, (axes, bars) = panels(1, 2, (7.5, 3.2), None, sharey=True, gridspec_kw={'width_ratios': (3, 1.2)})
-    names = finals.values('species')
+    names = list(finals.by('species'))
     settled = []
     for colour, name, final, final_error in zip(COLOURS, names, finals.numbers('mean_vx', MM),
                                                 finals.numbers('mean_vx_stderr', MM)):
-        part = statistics.where('species', name)
+        part = statistics.where({'species': name})
         mean, error = part.numbers('mean_vx', MM), np.nan_to_num(part.numbers('mean_vx_stderr', MM))
         axes.plot(part.numbers('time'), mean, color=colour, label=name)
         axes.fill_between(part.numbers('time'), mean - error, mean + error, color=colour, alpha=0.25, linewidth=0)
@@ -172,9 +172,9 @@ def steady(values):
 
 
 def draw_temperature(directory):
-    statistics = Table(directory / 'statistics.csv')
+    statistics = read_table(directory / 'statistics.csv')
     figure, axes = panels(1, 1, (6.5, 3.0), None)
-    for colour, (species, part) in zip(COLOURS, statistics.by('species')):
+    for colour, (species, part) in zip(COLOURS, statistics.by('species').items()):
         axes.plot(part.numbers('window_end'), positive(part.numbers('granular_temperature', UJ)), color=colour,
                   linewidth=1.0, label=species)
     scale_by_decades(axes)
@@ -185,7 +185,7 @@ def draw_temperature(directory):
 
 
 def draw_contacts(directory):
-    contacts = Table(directory / 'contacts.csv')
+    contacts = read_table(directory / 'contacts.csv')
     ratio = contacts.numbers('short_to_long')
     figure, (rates, ratios) = panels(2, 1, (6.5, 4.8), None, sharex=True, gridspec_kw={'height_ratios': (2, 1)})
     plot_contacts(rates, contacts)

@@ -45,13 +45,6 @@ def best_setting(rows, ended, seeds, limits):
     return None if best is None else (best, means[best][1])
 
 
-def keys_at_edge(rows, case, keys):
-    """Keys of three numbers or more of which this case has the first or the last: a better one may lie beyond."""
-    values = {key: rows.values(key) for key in keys}
-    return [key for key, own in values.items()
-            if len(own) > 2 and not any(isinstance(value, str) for value in own) and case[key] in (own[0], own[-1])]
-
-
 def mean_text(rows):
     mean = rows.mean('quality')
     over = f"over {counted(mean.count, 'seed')}"
@@ -77,7 +70,10 @@ def findings_of(rows, ended, keys, sweep, limits):
     if found:
         setting, group = found
         mean, given, case = group.mean('quality'), assignments(setting), group[0]
-        at_edge = keys_at_edge(rows, case, keys)
+        values = {key: rows.values(key) for key in keys}
+        # Of three numbers or more the first or the last: a better one may lie beyond.
+        at_edge = [key for key, own in values.items() if len(own) > 2 and case[key] in (own[0], own[-1])
+                   and not any(isinstance(value, str) for value in own)]
         findings['best'] = {
             'values': {key: given.get(key, '' if case[key] is None else shown(case[key])) for key in keys},
             'quality': mean.value, 'separation': group.mean('separation').value, 'quality_stderr': mean.error,

@@ -38,7 +38,7 @@ def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0), specie
         circles(axes, xs[own], ys[own], radii[own], facecolor=colour, edgecolor="white",
                 linewidth=0.3 if detailed else 0.0)
         axes.plot([], [], "o", color=colour, label=kind)
-        if detailed and "angle" in columns_of(disks):
+        if detailed and "angle" in (getattr(getattr(disks, "dtype", None), "names", None) or disks):
             angles = np.array(disks["angle"], dtype=float)[own]
             away = DOT[0] * radii[own]
             circles(axes, xs[own] + away * np.cos(angles), ys[own] + away * np.sin(angles), DOT[1] * radii[own],
@@ -48,11 +48,6 @@ def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0), specie
     axes.grid(False)
     axes.set_xlabel("$x$ [mm]")
     axes.set_ylabel("$y$ [mm]")
-
-
-def columns_of(disks):
-    dtype = getattr(disks, "dtype", None)
-    return dtype.names if dtype is not None and dtype.names else list(disks)
 
 
 def trajectories(axes, tracks, period=None):

@@ -7,7 +7,7 @@ from matplotlib.ticker import MaxNLocator
 
 from ratchet_sieve.plots.curves import signed
 from ratchet_sieve.plots.style import COLOURS, MM, UJ, any_defined, beside, describe, panels, say_undefined
-from ratchet_sieve.tables import Table
+from ratchet_sieve.tables import read_table
 
 G = 1e3  # per kg
 PLACES = {'left': '--', 'right': '-'}  # their lines
@@ -17,9 +17,9 @@ FLOW_POINTS = 40   # of a curve of the mass flow
 
 def parts(table):
     """Of each bin and species: colour, line, label, and its lines of the table."""
-    for colour, (species, own) in zip(COLOURS, table.by('species')):
+    for colour, (species, own) in zip(COLOURS, table.by('species').items()):
         for place, line in PLACES.items():
-            part = own.where('place', place)
+            part = own.where({'place': place})
             if len(part):
                 yield colour, line, f'{species} {place}', part
 
@@ -27,7 +27,7 @@ def parts(table):
 def draw_residence_times(directory):
     """Densities over the logarithm of time, in which the histogram's bins are nearly equal."""
     figure, axes = panels(1, 1, (6.5, 3.4), None)
-    for colour, line, label, part in parts(Table(directory / 'residence_times.csv')):
+    for colour, line, label, part in parts(read_table(directory / 'residence_times.csv')):
         edges, counts = [*part.numbers('from'), *part.numbers('to')[-1:]], part.numbers('count')
         if sum(counts) >= FEWEST_TIMES:
             edges, counts = coarser(edges, counts)
@@ -53,7 +53,7 @@ def coarser(edges, counts):
 def draw_mass_flow(directory):
     """Means of consecutive blocks of equal length, at their ends."""
     figure, axes = panels(1, 1, (6.5, 3.4), None)
-    for colour, line, label, part in parts(Table(directory / 'mass_flow.csv')):
+    for colour, line, label, part in parts(read_table(directory / 'mass_flow.csv')):
         together = math.ceil(len(part) / FLOW_POINTS)
         blocks = len(part) // together
         flow = np.reshape(part.numbers('flow', G)[:blocks * together], (blocks, together)).mean(axis=1)
@@ -72,13 +72,13 @@ MOST_PHASES_DRAWN = len(PHASE_LINES)
 
 
 def draw_height_profile(directory):
-    table = Table(directory / 'height_profile.csv')
+    table = read_table(directory / 'height_profile.csv')
     figure, axes = panels(1, len(PROFILES), (9.5, 3.8), None, sharey=True)
-    phases = table.values('phase_from')
+    phases = list(table.by('phase_from'))
     drawn = phases[::math.ceil(len(phases) / MOST_PHASES_DRAWN)] if phases else []
-    for colour, (species, own) in zip(COLOURS, table.by('species')):
+    for colour, (species, own) in zip(COLOURS, table.by('species').items()):
         for line, phase in zip(PHASE_LINES, drawn):
-            part = own.where('phase_from', phase)
+            part = own.where({'phase_from': phase})
             label = species if len(phases) == 1 else f'{species}, phase {float(phase) / math.pi:.2g} π'
             plot_profile(axes, part, colour, line, label)
     for each, (label, _) in zip(axes, PROFILES.values()):
@@ -107,22 +107,18 @@ def plot_profile(axes, part, colour, line, label):
         each.plot(values, heights, color=colour, linestyle=line, label=label)
 
 
-def paler(colour, share):
-    return [1.0 - (1.0 - shade) * (1.0 - share) for shade in matplotlib.colors.to_rgb(colour)]
-
-
 def draw_size_classes(directory):
     """What left of each size class, by the bin, and its mean velocity."""
-    table = Table(directory / 'size_classes.csv')
-    names = table.values('species')
+    table = read_table(directory / 'size_classes.csv')
+    names = list(table.by('species'))
     figure, axes = panels(2, max(len(names), 1), (2.5 + 3.0 * len(names), 4.4), None, squeeze=False, sharex='col')
-    for column, (colour, (species, part)) in enumerate(zip(COLOURS, table.by('species'))):
+    for column, (colour, (species, part)) in enumerate(zip(COLOURS, table.by('species').items())):
         edges = np.append(part.numbers('radius_from', MM), part.numbers('radius_to', MM)[-1:])
         shares, velocities = axes[0, column], axes[1, column]
-        below = np.zeros(len(part))
-        for key, shade, label in (('left', 0.0, 'left'), ('right', 0.45, 'right'), ('on_base', 0.8, 'on the base')):
+        below, full = np.zeros(len(part)), np.array(matplotlib.colors.to_rgb(colour))
+        for key, paler, label in (('left', 0.0, 'left'), ('right', 0.45, 'right'), ('on_base', 0.8, 'on the base')):
             shares.bar(edges[:-1], part.numbers(key), np.diff(edges), bottom=below, align='edge',
-                       color=paler(colour, shade), edgecolor='white', linewidth=0.8, label=label)
+                       color=1.0 - (1.0 - full) * (1.0 - paler), edgecolor='white', linewidth=0.8, label=label)
             below = below + part.numbers(key)
         shares.set_title(f'Species {species}', loc='left')
         velocities.errorbar((edges[:-1] + edges[1:]) / 2.0, part.numbers('mean_vx', MM), color=colour, marker='o',
@@ -143,5 +139,5 @@ DRAWN = {'residence_times': draw_residence_times, 'height_profile': draw_height_
 def drawings_of_observed(directory):
     """@return by the name of its picture, what draws each observable that the run has"""
     table = directory / 'observed.csv'
-    names = Table(table).values('observable') if table.exists() else []
+    names = read_table(table).by('observable') if table.exists() else []
     return {f'{name}.png': DRAWN[name] for name in names if name in DRAWN}

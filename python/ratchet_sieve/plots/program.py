@@ -4,7 +4,7 @@ import pathlib
 import sys
 
 from ratchet_sieve.plots.style import GREY, save, styled
-from ratchet_sieve.tables import Refusal, Table
+from ratchet_sieve.tables import Refusal, read_table
 
 
 def parser_of(module, description, help_of_directory):
@@ -28,7 +28,7 @@ def run_program(name, draw):
 
 def run_of(directory):
     """The run that the tables were made from, as a Table of one line."""
-    table = Table(directory / "run.csv")
+    table = read_table(directory / "run.csv")
     if not len(table):
         raise Refusal(f"{table.path}: has no line below its head")
     return table
@@ -38,7 +38,7 @@ def write(figure, path, run):
     """Writes a picture with the run's hash, seed and version, and prints its path."""
     figure.align_ylabels()
     lowest_left = min(figure.axes, key=lambda axes: (axes.get_position().y0, axes.get_position().x0))
-    scene_hash, seed, version = (run.texts(name).iloc[0] for name in ("scene_hash", "seed", "version"))
+    scene_hash, seed, version = (run.column(name).iloc[0] for name in ("scene_hash", "seed", "version"))
     lowest_left.annotate(f"scene {scene_hash}, seed {seed}, ratchet_sieve {version}",
                          (0.0, 0.0), (0.0, -36.0), xycoords="axes fraction", textcoords="offset points", va="top",
                          fontsize=7, color=GREY)

@@ -6,13 +6,13 @@ from matplotlib.ticker import MaxNLocator
 from ratchet_sieve.plots.analysis import plot_drive
 from ratchet_sieve.plots.program import parser_of, run_of, run_program, write
 from ratchet_sieve.plots.style import COLOURS, GREY, any_defined, beside, panels
-from ratchet_sieve.tables import Table
+from ratchet_sieve.tables import read_table
 
 
 def windowed_quality(bins, window):
     """Q, eq. (2) of the paper, of the first two species' disks that left within the last `window` seconds; nan where
     none of one did. @return times and Q"""
-    species = [bins.where('species', name) for name in bins.values('species')[:2]]
+    species = list(bins.by('species').values())[:2]
     if len(species) < 2:
         return [], []
     times = species[0].numbers('time')
@@ -35,11 +35,11 @@ def draw_best(axes, best, column):
 
 
 def draw(directory, window, best):
-    drive = Table(directory / 'drive.csv')
+    drive = read_table(directory / 'drive.csv')
     figure, axes = panels(3, 1, (7.5, 5.6), None, sharex=True, gridspec_kw={'height_ratios': (2.2, 2, 1)})
     draw_best(axes[0], best, 2)
     plot_drive(axes[0], drive, 'inclination', r'$\theta$ [rad]', COLOURS[4])
-    times, quality = windowed_quality(Table(directory / 'bins.csv'), window)
+    times, quality = windowed_quality(read_table(directory / 'bins.csv'), window)
     if any_defined(quality):
         draw_best(axes[1], best, 3)
         axes[1].plot(times, quality, color='black', linewidth=1.0, label='$Q$')

@@ -13,7 +13,7 @@ from ratchet_sieve.plots.maps import shown
 from ratchet_sieve.plots.means import Limits, Means, draw_curves, draw_map, plain_label
 from ratchet_sieve.plots.program import parser_of, run_program
 from ratchet_sieve.plots.style import GREY, panels, save
-from ratchet_sieve.plots.sweep_page import Pages, report_of
+from ratchet_sieve.plots.sweep_page import pages_of, report_of
 from ratchet_sieve.tables import (
     Refusal, column_of, departed, read_csv, read_rows, throughput, typed, write_csv, writing)
 from ratchet_sieve.texts import counted
@@ -179,7 +179,7 @@ def report(options):
     means = Means(rows, x, y, fields, limits, best and (best[0][x], best[0][y] if y else None))
     origin = origin_of(rows, means, where, every.failed, limits)
     page = report_of(means, (x, y), {'title': options.title, 'origin': origin}, findings,
-                     Pages(options.html, options.directory))
+                     pages_of(options.html, options.directory) if options.html else {})
     write_each('ratchet_sieve.plots.sweep', [
         *pictures_of(means, x, y, options.directory, origin),
         lambda: write_table(options.directory / 'means.csv', means, x, y),

@@ -7,31 +7,14 @@ from ratchet_sieve.plots.findings import setting_and_seed
 from ratchet_sieve.plots.means import plain_label
 
 
-def axis_of(key, values):
-    name, unit = plain_label(key)
-    return {'key': key, 'label': name, 'unit': unit, 'values': list(values)}
+def labelled(name):
+    return dict(zip(('label', 'unit'), plain_label(name)))
 
 
-def field_of(name):
-    label, unit = plain_label(name)
-    return {'name': name, 'label': label, 'unit': unit}
-
-
-def mean_of(mean):
-    return mean and {'value': mean.value, 'error': mean.error, 'count': mean.count}
-
-
-class Pages:
-    """The cases' pages in a directory, and their addresses from another one."""
-
-    def __init__(self, directory, base):
-        self.names = {path.name for path in directory.glob('*.html')} if directory else set()
-        self.address = urllib.parse.quote(os.fsencode(os.path.relpath(directory, base))) if directory else ''
-
-    def of(self, run_hash):
-        """None: it was not kept."""
-        name = run_hash + '.html'
-        return f'{self.address}/{name}' if name in self.names else None
+def pages_of(directory, base):
+    """@return of each run whose page was kept in a directory, by its hash, the page's address from another one"""
+    address = urllib.parse.quote(os.fsencode(os.path.relpath(directory, base)))
+    return {path.stem: f'{address}/{path.name}' for path in directory.glob('*.html')}
 
 
 def cases_of(rows, pages):
@@ -42,7 +25,7 @@ def cases_of(rows, pages):
         arguments, seed = setting_and_seed(every)
         case = settings.setdefault(arguments, {'arguments': arguments, 'seeds': [], 'pages': []})
         case['seeds'].append(seed)
-        case['pages'].append(pages.of(run_hash))
+        case['pages'].append(pages.get(run_hash))
     return list(settings.values())
 
 
@@ -51,22 +34,21 @@ def places_of(means, pages):
         for i, x in enumerate(means.xs):
             place = (x, y)
             if place in means.groups:
+                found = [means.get(field, x, y) for field in means.fields]
                 yield {'x': i, 'y': k, 'runs': means.counts[place], 'comparable': place not in means.below,
-                       'means': [mean_of(means.get(field, x, y)) for field in means.fields],
+                       'means': [mean and {'value': mean.value, 'error': mean.error, 'count': mean.count}
+                                 for mean in found],
                        'cases': cases_of(means.groups[place], pages)}
-
-
-def best_of(means):
-    if not means.best or means.best not in means.groups:
-        return None
-    return {'x': means.xs.index(means.best[0]), 'y': means.ys.index(means.best[1])}
 
 
 def report_of(means, keys, texts, findings, pages):
     """@param keys x and y, which may be None. @param texts title and origin. @param findings see findings_of()"""
     x, y = keys
+    best = means.best if means.best in means.groups else None
     return {**texts, 'findings': findings['lines'], 'command': findings['command'],
             'least_processed': findings['least_processed'], 'least_counted': findings['least_counted'],
-            'x': axis_of(x, means.xs), 'y': axis_of(y, means.ys) if y else None,
-            'fields': [field_of(name) for name in means.fields], 'best': best_of(means),
+            'x': {'key': x, **labelled(x), 'values': list(means.xs)},
+            'y': {'key': y, **labelled(y), 'values': list(means.ys)} if y else None,
+            'fields': [{'name': name, **labelled(name)} for name in means.fields],
+            'best': best and {'x': means.xs.index(best[0]), 'y': means.ys.index(best[1])},
             'places': list(places_of(means, pages))}
