@@ -81,26 +81,46 @@ geometry_msgs::TransformStamped ownWorldTransform(const std::array<double, 3>& o
 }
 
 TransformPublisher::TransformPublisher(ros::NodeHandle node, ClockPublisher* clock)
-    : clock_(clock), publisher_(node.advertise<tf2_msgs::TFMessage>("/tf", QUEUE_SIZE, true))
+    : clock_(clock),
+      subscriptions_(node.advertise<tf2_msgs::TFMessage>(
+          "/tf", QUEUE_SIZE,
+          [this](const ros::SingleSubscriberPublisher& subscriber) { subscriberConnected(subscriber); },
+          [this](const ros::SingleSubscriberPublisher&) { subscriberDisconnected(); }))
 {
+}
+
+void TransformPublisher::subscriberConnected(const ros::SingleSubscriberPublisher& subscriber)
+{
+  ++connected_;
+  if (last_.empty() || connected_ <= reached_)
+    return;
+  tf2_msgs::TFMessage message;
+  message.transforms = last_;
+  subscriber.publish(message);
+}
+
+void TransformPublisher::subscriberDisconnected()
+{
+  --connected_;
+  reached_ = std::max(reached_ - 1, 0);
 }
 
 void TransformPublisher::publish(const BaseFrame& frame, const FrameNames& names)
 {
-  const ros::Time stamp(frame.time);
-  if (stamp == last_)
+  const bool repeated = !last_.empty() && last_.front().header.stamp == ros::Time(frame.time);
+  last_ = baseTransforms(frame, names);
+  if (repeated)
     return;
-  last_ = stamp;
-  const bool clocked = clock_ != nullptr && publisher_.getNumSubscribers() > 0;
-  if (clocked)
+  reached_ = static_cast<int>(subscriptions_.getNumSubscribers());
+  if (reached_ == 0)
+    return;
+  if (clock_ != nullptr)
   {
     clock_->reach(frame.time);
     clock_->waitForTimeJump();
   }
-  tf2_msgs::TFMessage message;
-  message.transforms = baseTransforms(frame, names);
-  publisher_.publish(message);
-  if (clocked)
+  broadcaster_.sendTransform(last_);
+  if (clock_ != nullptr)
     clock_->transformSent();
 }
 

@@ -9,6 +9,8 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <ros/single_subscriber_publisher.h>
+#include <tf2_ros/transform_broadcaster.h>
 #include <Eigen/Geometry>
 
 #include "clock_publisher.h"
@@ -17,7 +19,8 @@
 namespace ratchet_sieve
 {
 
-/// Queue length of publishers and subscribers.
+/// Queue length of publishers and subscribers. The same as in tf2_ros::TransformBroadcaster: all publishers
+/// of a node for one topic share a queue, with the length requested by the first.
 constexpr std::uint32_t QUEUE_SIZE = 100;
 
 /// The names of the frames of one sieve.
@@ -59,8 +62,8 @@ std::vector<geometry_msgs::TransformStamped> baseTransforms(const BaseFrame& fra
 geometry_msgs::TransformStamped ownWorldTransform(const std::array<double, 3>& origin,
                                                   const FrameNames& names);
 
-/// Publishes the base's transforms on /tf, each stamp once: tf2 ignores repeated stamps with a warning. The
-/// topic is latched: a new subscriber gets the last transforms at once, also in a pause.
+/// Broadcasts the base's transforms on /tf while there are subscribers, each stamp once: tf2 ignores repeated
+/// stamps with a warning. A new subscriber gets the last transforms at once, also in a pause.
 class TransformPublisher
 {
 public:
@@ -73,9 +76,15 @@ public:
   void publish(const BaseFrame& frame, const FrameNames& names);
 
 private:
+  void subscriberConnected(const ros::SingleSubscriberPublisher& subscriber);
+  void subscriberDisconnected();
+
   ClockPublisher* clock_;
-  std::optional<ros::Time> last_;  ///< stamp of the last transforms
-  ros::Publisher publisher_;
+  std::vector<geometry_msgs::TransformStamped> last_;
+  int reached_ = 0;    ///< subscribers at the last broadcast, including connections not yet reported
+  int connected_ = 0;  ///< subscribers whose connection was reported
+  tf2_ros::TransformBroadcaster broadcaster_;
+  ros::Publisher subscriptions_;  ///< of /tf as well: the broadcaster does not report its subscribers
 };
 
 }  // namespace ratchet_sieve

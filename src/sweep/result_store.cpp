@@ -48,6 +48,23 @@ bool isColumnName(const std::string& name)
          std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' '; });
 }
 
+/// Adds those scalars that get a column: each name once, and no more than the table can hold.
+void addScalars(const Json& summary, const std::set<std::string>& known, SummaryColumns& row)
+{
+  std::set<std::string> taken;
+  for (const auto& [name, value] : row)
+    taken.insert(lowerCase(name));
+  std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, known.size());
+  for (auto& scalar : summaryColumns(summary))
+  {
+    const bool is_new = known.count(lowerCase(scalar.first)) == 0;
+    if (!isColumnName(scalar.first) || (is_new && room == 0) || !taken.insert(lowerCase(scalar.first)).second)
+      continue;
+    room -= is_new ? 1 : 0;
+    row.push_back(std::move(scalar));
+  }
+}
+
 }  // namespace
 
 Json sqlValue(const std::optional<std::string>& value)
@@ -107,28 +124,31 @@ bool ResultStore::hasColumn(const std::string& name) const
   return columns().count(lowerCase(name)) > 0;
 }
 
+void ResultStore::addColumn(const std::string& name, std::set<std::string>& known)
+{
+  if (known.insert(lowerCase(name)).second)
+    database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
+}
+
 void ResultStore::addColumns(const std::vector<std::string>& names)
 {
   std::set<std::string> known = columns();
   for (const std::string& name : names)
-    if (known.insert(lowerCase(name)).second)
-      database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
+    addColumn(name, known);
 }
 
-void ResultStore::insert(const SummaryColumns& row)
+void ResultStore::insert(const SummaryColumns& row, std::set<std::string>& known)
 {
-  std::vector<std::string> names;
   SqlValues values;
   std::string columns;
   std::string marks;
   for (const auto& [name, value] : row)
   {
-    columns += (names.empty() ? "" : ", ") + quotedName(name);
-    marks += names.empty() ? "?" : ", ?";
-    names.push_back(name);
+    addColumn(name, known);
+    columns += (values.empty() ? "" : ", ") + quotedName(name);
+    marks += values.empty() ? "?" : ", ?";
     values.push_back(value);
   }
-  addColumns(names);
   database_.execute("INSERT OR IGNORE INTO cases (" + columns + ") VALUES (" + marks + ")", values);
 }
 
@@ -138,24 +158,6 @@ std::optional<std::string> ResultStore::statusOf(const std::string& run_hash) co
       database_.value("SELECT CAST(status AS TEXT) FROM cases WHERE run_hash = ? AND physics = ?",
                       {run_hash, PHYSICS_VERSION});
   return status.is_null() ? std::nullopt : std::optional(status.get<std::string>());
-}
-
-/// Adds those scalars that get a column: each name once, and no more than the table can hold.
-void ResultStore::addScalars(const Json& summary, SummaryColumns& row) const
-{
-  std::set<std::string> taken;
-  for (const auto& [name, value] : row)
-    taken.insert(lowerCase(name));
-  const std::set<std::string> known = columns();
-  std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, known.size());
-  for (auto& scalar : summaryColumns(summary))
-  {
-    const bool is_new = known.count(lowerCase(scalar.first)) == 0;
-    if (!isColumnName(scalar.first) || (is_new && room == 0) || !taken.insert(lowerCase(scalar.first)).second)
-      continue;
-    room -= is_new ? 1 : 0;
-    row.push_back(std::move(scalar));
-  }
 }
 
 void ResultStore::record(const CaseResult& result)
@@ -176,14 +178,16 @@ void ResultStore::record(const CaseResult& result)
                         {"physics", PHYSICS_VERSION}};
   for (const auto& [key, value] : result.values)
     row.emplace_back(key, sqlValue(value));
-  addScalars(result.summary, row);
-  insert(row);
+  std::set<std::string> known = columns();
+  addScalars(result.summary, known, row);
+  insert(row, known);
 }
 
 void ResultStore::copyFrom(const ResultStore& other)
 {
   Statement rows(other.database(), "SELECT run_hash, status, * FROM cases WHERE physics = ?",
                  {PHYSICS_VERSION});
+  std::set<std::string> known = columns();
   while (rows.step())
   {
     if (rows.text(1) == "done")
@@ -192,7 +196,7 @@ void ResultStore::copyFrom(const ResultStore& other)
     SummaryColumns row;
     for (int column = 2; column < rows.columns(); ++column)
       row.emplace_back(rows.columnName(column), rows.value(column));
-    insert(row);
+    insert(row, known);
   }
 }
 

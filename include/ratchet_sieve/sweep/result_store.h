@@ -43,8 +43,10 @@ public:
 private:
   void makeTables();
   std::set<std::string> columns() const;  ///< of the table, in lower case
-  void addScalars(const nlohmann::ordered_json& summary, SummaryColumns& row) const;
-  void insert(const SummaryColumns& row);
+
+  /// @param known columns(), to which a new one is added
+  void addColumn(const std::string& name, std::set<std::string>& known);
+  void insert(const SummaryColumns& row, std::set<std::string>& known);
 
   Database database_;
 };
