@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 
 from ratchet_sieve import origin
-from report import benchmarks, parsed, parser_of, quote
+from report import arguments_of, benchmarks, quote
 
 LARGE = 38168  # teeth: a million disks
 LARGE_SCENE = '''
@@ -92,7 +92,7 @@ def figures(best, times_of, two_jobs):
 
 
 def main():
-    arguments = parsed(parser_of(__doc__, rounds=5))
+    arguments = arguments_of(__doc__, rounds=5)
     memory = {f'bytes_per_disk{name}': f'{bytes_per_disk(arguments.programs / "sieve_run", LARGE, threads):.0f}'
               for threads, name in ((1, ''), (2, '_two_threads'))}
     two_jobs = two_over_one(arguments.programs / 'engine_benchmark', arguments.rounds)

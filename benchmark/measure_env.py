@@ -14,7 +14,7 @@ import numpy as np
 import ratchet_sieve as rs
 from ratchet_sieve import origin, places
 from ratchet_sieve.texts import table
-from report import parsed, parser_of, publish
+from report import arguments_of, publish
 
 STEP = 1.0   # [s]
 BEGIN = 5.0  # until the feed has filled the base [s]
@@ -50,11 +50,7 @@ def rate_of_env(env, actions, seconds):
 
 
 def main():
-    parser = parser_of(__doc__, rounds=9)
-    parser.add_argument("--sieves", type=int, default=32)
-    parser.add_argument("--threads", type=int, default=os.cpu_count())
-    parser.add_argument("--seconds", type=float, default=20.0, help="simulated by each sieve in a round (default: 20)")
-    arguments = parsed(parser, "env")
+    arguments = arguments_of(__doc__, "env", rounds=9, sieves=32, threads=os.cpu_count(), seconds=20.0)
     scene, seconds = rs.Scene.load(places.SHARE / "config/seek.yaml"), arguments.seconds
     settings = {"episode": BEGIN + seconds + 1.0, "step": STEP}
     single = rs.env.SieveEnv(scene, **settings)

@@ -18,7 +18,7 @@ from ratchet_sieve import origin, processes
 from ratchet_sieve.msg import BinCounts
 from ratchet_sieve.srv import StepSimulation
 from ratchet_sieve.texts import table
-from report import ROOT, parsed, parser_of, publish
+from report import ROOT, arguments_of, publish
 
 
 FED_RECORDED, FED, STAYING = 'fed, recorded', 'fed, not recorded', 'not fed, recorded'
@@ -101,7 +101,7 @@ def tables(times, watched):
 
 
 def main():
-    arguments = parsed(parser_of(__doc__, short='two simulated minutes, for a test'), 'memory')
+    arguments = arguments_of(__doc__, 'memory', short='two simulated minutes, for a test')
     duration = 120.0 if arguments.short else 3600.0
     times = [duration * k / 12 for k in range(1, 13)]
     with tempfile.TemporaryDirectory() as directory:

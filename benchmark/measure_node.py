@@ -15,7 +15,7 @@ import yaml
 
 import ros_processes
 from ratchet_sieve import origin, processes
-from report import ROOT, parsed, parser_of, quote
+from report import ROOT, arguments_of, quote
 
 RATE = 60  # frames of each kind per simulated second, the node's default
 STATISTICS_RATE = 10
@@ -127,7 +127,7 @@ def figures(measured, start, single):
 
 
 def main():
-    arguments = parsed(parser_of(__doc__, rounds=7, short='few disks, one round: test only that nothing is lost'))
+    arguments = arguments_of(__doc__, rounds=7, short='few disks, one round: test only that nothing is lost')
     about = origin.describe_physics()
     sizes, rounds, starts, single_seconds = {'large': (382, 1.0), 'fig8': (20, 15.0)}, arguments.rounds, 50, 20.0
     if arguments.short:

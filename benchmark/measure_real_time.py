@@ -11,7 +11,7 @@ import tempfile
 from measure_node import FOR_PROGRAMS, Bench
 from ratchet_sieve import origin, processes
 from ratchet_sieve.texts import table
-from report import parsed, parser_of, publish
+from report import arguments_of, publish
 
 # What is asked for: keys of the scene, and parameters of the node.
 METHODS = {'events': ({}, {'real_time_factor': 1.0}),
@@ -43,8 +43,8 @@ def measure(benches, rounds, methods):
 
 
 def main():
-    arguments = parsed(parser_of(__doc__, rounds=3, short='few disks, methods and rounds: test only that nothing is lost'),
-                       'real-time')
+    arguments = arguments_of(__doc__, 'real-time', rounds=3,
+                             short='few disks, methods and rounds: test only that nothing is lost')
     about = origin.describe_physics()
     where = f'{origin.text(about)}, load {os.getloadavg()[1]:.1f} before the first round'
     teeth, spans, rounds = SHORT if arguments.short else (TEETH, SPANS, arguments.rounds)

@@ -10,7 +10,7 @@ import statistics
 
 from ratchet_sieve import origin
 from ratchet_sieve.texts import table
-from report import benchmarks, parsed, parser_of, publish
+from report import arguments_of, benchmarks, publish
 
 LAYERS = ((20, '524'), (153, '4,008'), (382, '10,008'), (3817, '100,004'))
 QUEUE, ONE, TWO = range(3)
@@ -95,7 +95,7 @@ def model(strips, layers, meeting):
 
 
 def main():
-    arguments = parsed(parser_of(__doc__, rounds=11), 'threads')
+    arguments = arguments_of(__doc__, 'threads', rounds=11)
     about = origin.describe_physics()
     layers = by_arguments(benchmarks(arguments, 'mixtureOnThreads', arguments.rounds))
     meeting = 1.0 / benchmarks(arguments, 'meetingOfTwoThreads')[0]['meetings']

@@ -4,7 +4,7 @@ Prints a table."""
 import ratchet_sieve as rs
 from ratchet_sieve import origin
 from ratchet_sieve.texts import table
-from report import ROOT, parsed, parser_of, publish
+from report import ROOT, arguments_of, publish
 
 WIDTHS = (0.2, 1, 8)                 # [m]
 RATES = (0.3, 1, 2, 3, 5)            # [rad/s]
@@ -30,7 +30,7 @@ def over(width, rate, swing, seed):
 
 
 def main():
-    arguments = parsed(parser_of(__doc__), "walls")
+    arguments = arguments_of(__doc__, "walls")
     lines = [[width, *(f"{sum(over(width, rate, *run) for run in RUNS)}" + " ⚠" * (rate ** 2 * width > CALM)
                        for rate in RATES)] for width in WIDTHS]
     publish(arguments, "walls", [f"{origin.text()}.", "", table(["W [m] \\ ω [rad/s]", *RATES], lines)])

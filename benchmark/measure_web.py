@@ -10,7 +10,7 @@ import time
 import ratchet_sieve as rs
 from ratchet_sieve import origin
 from ratchet_sieve.texts import table
-from report import ROOT, parsed, parser_of, publish
+from report import ROOT, arguments_of, publish
 
 # Title, file of config/, overrides, simulated time [s].
 SCENES = (("Fig. 8, 524 disks", "paper_fig8", {}, 10.0),
@@ -52,7 +52,7 @@ def measure(rounds):
 
 
 def main():
-    arguments = parsed(parser_of(__doc__, rounds=7), "web")
+    arguments = arguments_of(__doc__, "web", rounds=7)
     about = origin.describe_physics()
     lines = []
     for (title, *_), (duration, pairs) in zip(SCENES, measure(arguments.rounds)):

@@ -10,22 +10,20 @@ from ratchet_sieve.texts import table
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
-def parser_of(about, rounds=None, short=None):
-    """@param rounds default of an option; None: there is none. @param short help of an option; None: there is none"""
+def arguments_of(about, *marks, rounds=None, short=None, **others):
+    """The arguments. Ends the program, before it measures anything, if the document has no place for the tables.
+    @param marks of the tables. @param rounds, others defaults of options; None: there is none. @param short help of an
+    option; None: there is none"""
     parser = argparse.ArgumentParser(description=about)
     parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve', metavar='DIR',
                         help='where the programs are')
-    if rounds:
-        parser.add_argument('--rounds', type=int, default=rounds, help=f'repetitions (default: {rounds})')
+    for name, default in {'rounds': rounds, **others}.items():
+        if default:
+            parser.add_argument(f'--{name}', type=type(default), default=default, help=f'default: {default}')
     if short:
         parser.add_argument('--short', action='store_true', help=short)
     parser.add_argument('--write', type=pathlib.Path, metavar='FILE',
                         help='put the table between the marks of this document')
-    return parser
-
-
-def parsed(parser, *marks):
-    """The arguments. Ends the program, before it measures anything, if the document has no place for the tables."""
     arguments = parser.parse_args()
     if arguments.write:
         for mark in marks:

@@ -1,6 +1,7 @@
 """Repeats published experiments: runs their sweeps by sieve_sweep, draws each with error bars, tests each printed
 claim, and writes docs/paper.md, docs/validation.md and docs/data. Existing results are not computed again."""
 import argparse
+import functools
 import importlib
 import pathlib
 
@@ -32,12 +33,12 @@ def read_arguments():
     return parser, options
 
 
-def run_study(study, runner, directory, name):
+def run_study(study, rows_of, directory, name):
     """Runs and draws a study, and says what came out."""
     from ratchet_sieve import plots
     from study import Outcome
 
-    rows = {name: runner.rows_of(name) for name in study.sweeps}
+    rows = {name: rows_of(name) for name in study.sweeps}
     outcome = Outcome(study, study.evaluate(rows), rows)
     for picture in study.pictures:
         with plots.styled():
@@ -54,12 +55,12 @@ def run_study(study, runner, directory, name):
 def run(options, studies):
     """All studies of each document, or only those that the options name: then no document is written."""
     import document
-    from sweeps import Runner
+    import sweeps
 
     options.results.parent.mkdir(parents=True, exist_ok=True)
-    runner = Runner(options)
+    rows_of = functools.lru_cache(maxsize=None)(functools.partial(sweeps.rows_of, options))  # studies may share one
     for name, own in studies.items():
-        outcomes = [run_study(study, runner, options.out / "images", name) for study in own
+        outcomes = [run_study(study, rows_of, options.out / "images", name) for study in own
                     if not options.only or study.name in options.only]
         if outcomes and not options.only:
             path = options.out / f"{name}.md"

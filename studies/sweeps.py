@@ -60,28 +60,16 @@ def processor_time():
     return used.ru_utime + used.ru_stime
 
 
-class Runner:
-    """The rows of each sweep, which is run once: studies may share one."""
-
-    def __init__(self, options):
-        self.options = options
-        self.rows = {}
-
-    def rows_of(self, name):
-        """Runs its cases without a result."""
-        if name not in self.rows:
-            self.rows[name] = self.run(DIRECTORY / f"{name}.yaml", name)
-        return self.rows[name]
-
-    def run(self, file, name):
-        print(f"{name}:", file=sys.stderr, flush=True)
-        options = self.options
-        rows = export(options.program, file, options.results, options.jobs, options.draw_only, sys.stderr)
-        # A missing case would not be seen in a picture.
-        status = subprocess.run([str(options.program), "status", str(file), "--db", str(options.results)],
-                                capture_output=True, text=True, check=True).stdout
-        missing = int(re.search(r"(\d+) to go", status).group(1))
-        if missing:
-            raise SweepFailed(f"{counted(missing, 'case')} of {name} without a result in {options.results}"
-                              + ("; run it without --draw-only" if options.draw_only else ""))
-        return rows
+def rows_of(options, name):
+    """Runs the cases of a sweep that have no result. @return its Rows"""
+    print(f"{name}:", file=sys.stderr, flush=True)
+    file = DIRECTORY / f"{name}.yaml"
+    rows = export(options.program, file, options.results, options.jobs, options.draw_only, sys.stderr)
+    # A missing case would not be seen in a picture.
+    status = subprocess.run([str(options.program), "status", str(file), "--db", str(options.results)],
+                            capture_output=True, text=True, check=True).stdout
+    missing = int(re.search(r"(\d+) to go", status).group(1))
+    if missing:
+        raise SweepFailed(f"{counted(missing, 'case')} of {name} without a result in {options.results}"
+                          + ("; run it without --draw-only" if options.draw_only else ""))
+    return rows

@@ -120,7 +120,7 @@ int main(int argc, char** argv)
   const nlohmann::json run = readRun(argc, argv);
   const Mixture mixture = run["mixture"];
   World world(mixture, run["step"], run["continuous"]);
-  SteppedRun(world, mixture, run)
+  SteppedRun<World>(world, mixture, run)
       .run(std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
            std::to_string(b2_version.revision));
 }

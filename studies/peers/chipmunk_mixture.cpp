@@ -149,5 +149,5 @@ int main(int argc, char** argv)
   const nlohmann::json run = readRun(argc, argv);
   const Mixture mixture = run["mixture"];
   World world(mixture, run["step"], run["solid"]);
-  SteppedRun(world, mixture, run).run(cpVersionString);
+  SteppedRun<World>(world, mixture, run).run(cpVersionString);
 }
