@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -52,10 +53,12 @@ BENCHMARK(singleParticles)->Unit(benchmark::kMillisecond);
 /// The same in so many lanes of the processor's registers; see simd_batch.h.
 void singleParticlesInLanes(benchmark::State& state)
 {
-  if (!useLanes(static_cast<int>(state.range(0))))
+  const auto lanes = static_cast<int>(state.range(0));
+  if (widestKernel(lanes).lanes != lanes)
     return state.SkipWithError("this processor has no registers as wide");
+  setenv("RATCHET_SIEVE_LANES", std::to_string(lanes).c_str(), 1);
   advance(state, test::singleParticles(1000), 0.5);
-  useLanes(0);
+  unsetenv("RATCHET_SIEVE_LANES");
 }
 BENCHMARK(singleParticlesInLanes)->Arg(2)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond);
 

@@ -192,7 +192,7 @@ const std::vector<SizeClass>& Simulation::sizeClasses() const
 
 const std::vector<SpeciesBins>& Simulation::sizeClassBins() const
 {
-  return engine_->state().sizeClassBins();
+  return engine_->state().observers().sizeClassBins();
 }
 
 std::vector<SpeciesMeans> Simulation::sizeClassMeans() const

@@ -105,18 +105,6 @@ TEST(BaseMotion, SegmentsOfATurnAreNoLongerThanAllowed)
 TEST(BaseMotion, ThePhaseIsAsGoodAfterAMillionSecondsAsAtTheStart)
 {
   BaseDefinition base = figureThree();
-  base.frequency = 23.0;
-  BaseMotion motion(base, UNLIMITED);
-  const BaseMotion fresh(base, UNLIMITED);
-  for (int epoch = 0; epoch < 250000; ++epoch)
-    motion.rebase(4.0);
-  for (const double t : {0.0, 0.3, 3.7})
-    EXPECT_EQ(motion.at(t).displacement.y(), fresh.at(t).displacement.y());
-}
-
-TEST(BaseMotion, APhaseThatDoesNotDivideTheEpochStaysExactToo)
-{
-  BaseDefinition base = figureThree();
   base.frequency = 22.7;
   BaseMotion motion(base, UNLIMITED);
   for (int epoch = 0; epoch < 250000; ++epoch)

@@ -47,7 +47,7 @@ TEST(CellGrid, SeesEveryDiskWithinReachAsAllPairsDo)
         for (const auto& [s, n] : cells)
           points.push_back({width * s / 1000.0, 0.5 * n / 1000.0});
 
-        CellGrid grid(width, 0.5, reach, points.size(), periodic);
+        CellGrid grid(CellShape(width, 0.5, reach, points.size(), periodic), {}, 0.0, points.size());
         for (std::uint32_t id = 0; id < points.size(); ++id)
           grid.add(id, grid.cellAt(points[id].s, points[id].n));
         for (std::uint32_t id = 0; id < points.size(); ++id)

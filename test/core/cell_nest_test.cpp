@@ -24,8 +24,8 @@ TEST(CellNest, ALargeDiskSeesItsRimOnly)
 {
   constexpr double RADIUS = 0.02;
   const SizeLevels levels{{SMALL, 2.0 * RADIUS}};
-  const CellShape shape(0.1, 0.1, SMALL + MARGIN, 20000);
-  CellGrid grid(shape, levels, MARGIN, 20000, true);
+  const CellShape shape(0.1, 0.1, SMALL + MARGIN, 20000, true);
+  CellGrid grid(shape, levels, MARGIN, 20000);
   std::uint32_t slot = 0;
   grid.add(slot, grid.cellAt(0.05, 0.05), RADIUS);
   std::size_t rim = 0;

@@ -82,25 +82,6 @@ TEST(Collapse, SaysWhichDiskAndWhenInNumbers)
       << simulation.collapseText();
 }
 
-TEST(Collapse, OfManyDisksGoesOnWhereTheSceneSaysSo)
-{
-  // If rounding makes a contact approaching for the search and separating for the execution, it is predicted
-  // again and again. This was found with many collapsing disks.
-  for (const bool pair_collisions : {true, false})
-  {
-    SceneDefinition scene = collapsing(pair_collisions);
-    scene.contact.on_collapse = CollapseAction::REBOUND;
-    scene.contact.collapse_events = 1000;
-    Simulation simulation(scene);
-    const double start = simulation.energy();
-    simulation.advanceTo(1.0);
-    EXPECT_FALSE(simulation.stalled());
-    EXPECT_GT(simulation.collapses().count, 100u);
-    test::expectNoOverlap(simulation);
-    EXPECT_LT(simulation.energy(), start);
-  }
-}
-
 /// Disks without rebound slide along steep slopes, through many collapses. Their positions are tens of metres
 /// from the origin, with a resolution coarser than the displacement between two contacts. If the position
 /// were rounded at each contact, the overlap would grow with each.
@@ -122,23 +103,6 @@ TEST(Collapse, OfSlidingDisksDoesNotPressThemIntoTheBase)
   simulation.advanceTo(0.3);
   EXPECT_GT(simulation.collapses().count, 10u);
   test::expectNoOverlap(simulation);
-}
-
-TEST(Collapse, OfOneDiskLetsTheOthersOfAnEnsembleBe)
-{
-  // The first disk is at rest on a flat base. The second hops beside it without loss, and is not affected.
-  SceneDefinition scene = collapsing(false);
-  scene.contact.on_collapse = CollapseAction::REBOUND;
-  scene.base.tooth_height = 0.0;
-  scene.species[1].contact = {1.0, 0.0, 0.0};
-  scene.initial = {{0, 0.02, 0.002, 0.0, 0.0, 0.0}, {1, 0.06, 0.052, 0.0, 0.0, 0.0}};
-  Simulation simulation(scene);
-  simulation.advanceTo(5.0);
-  EXPECT_GT(simulation.collapses().count, 0u);
-  EXPECT_EQ(simulation.collapses().first_disk, 0u);
-  const std::vector<DiskState> disks = simulation.disks();
-  const double energy = 0.5 * disks[1].vy * disks[1].vy + 9.81 * disks[1].y;
-  EXPECT_NEAR(energy / (9.81 * 0.052), 1.0, 1e-10);
 }
 
 /// Threads advance the disks of an ensemble in any order; the report of the first collapse must not depend on

@@ -1,8 +1,6 @@
 // A run whose disks are heated without limit is reported with figures; a dissipative run is not.
 #include "state/energy_watch.h"
 
-#include <utility>
-
 #include <gtest/gtest.h>
 
 #include "ratchet_sieve/core/simulation.h"
@@ -51,31 +49,6 @@ TEST(EnergyWatch, SaysNothingWhereCollisionsLoseWhatTheDriveGives)
   EXPECT_EQ(mixture.energyText(), "");
   EXPECT_GT(mixture.largestEnergy(), 0.0);
   EXPECT_LT(mixture.largestEnergy(), 5.0);
-}
-
-/// The scale includes the drive in every direction: an elastic disk gains some energy from the drive.
-TEST(EnergyWatch, TakesADriveSidewaysAsOneUpwards)
-{
-  SceneDefinition upwards = test::mixture(10);
-  upwards.boundary = Boundary::WALLED;
-  upwards.base.teeth = 5;
-  upwards.base.frequency = 60.0;
-  upwards.base.amplitude = 0.005;
-  upwards.gravity = 0.0;
-  upwards.pour.speed = 0.1;
-  SceneDefinition sideways = upwards;
-  std::swap(sideways.base.amplitude, sideways.base.horizontal_amplitude);
-  SceneDefinition harmonic = upwards;
-  harmonic.base.amplitude = 0.0;
-  harmonic.base.harmonics = {{2, 0.0, 0.0, 0.0025, 0.0}};
-  for (const SceneDefinition& scene : {upwards, sideways, harmonic})
-  {
-    Simulation simulation(scene);
-    simulation.advanceTo(5.0);
-    EXPECT_GT(simulation.collisions().total(), 20u);
-    EXPECT_EQ(simulation.energyText(), "");
-    EXPECT_LT(simulation.largestEnergy(), 50.0);
-  }
 }
 
 /// On an endless slope a disk falls forever: v = g t sin(theta), so that its energy per mass is (1/2) (g t

@@ -1,17 +1,13 @@
 #include "model/orbit.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
 #include "constants.h"
 #include "model/base_motion.h"
-#include "ratchet_sieve/core/simulation.h"
-#include "runs.h"
 #include "scenes.h"
 
 /// A drive with a horizontal part and harmonics.
@@ -157,37 +153,6 @@ TEST(Orbit, WithoutAnAmplitudeOfTheSceneStandsByItself)
   const Eigen::Vector2d expected =
       placeByHand(base, phase, 1.0) + Eigen::Vector2d(0.0, 0.001 * std::sin(phase));
   EXPECT_LT((motion.at(time).displacement - expected).norm(), 1e-15);
-}
-
-/// A disk falls on a flat base that moves horizontally. Its contact by hand: the base's surface moves at V,
-/// so that the disk's surface slips at -V, and rolls or slips by Coulomb's law.
-TEST(Orbit, AFlatBaseThatMovesSidewaysDragsADiskAlong)
-{
-  for (const double friction : {0.05, 10.0})
-  {
-    SceneDefinition scene = test::singleParticles(0);
-    scene.base.tooth_height = 0.0;
-    scene.base.amplitude = 0.0;
-    scene.base.horizontal_amplitude = 0.003;
-    scene.base.horizontal_phase = 0.9;
-    SpeciesDefinition& disk = scene.species[0];
-    disk.contact.friction = friction;
-    const double fall = 0.02;
-    scene.initial = {{0, 0.2, disk.radius + fall, 0.0, 0.0, 0.0}};
-    Simulation simulation(scene);
-    const double landed = std::sqrt(2.0 * fall / scene.gravity);
-    const auto records = test::collisionsUntil(simulation, landed + 1e-9);
-    ASSERT_EQ(records.size(), 1u);
-    EXPECT_NEAR(records[0].time, landed, 1e-13);
-    const double rate = 2.0 * PI * scene.base.frequency;
-    const double base_speed = 0.003 * rate * std::cos(rate * landed + 0.9);
-    const double normal = (1.0 + 0.6) * disk.mass * std::sqrt(2.0 * scene.gravity * fall);
-    const double sticking = (1.0 + 0.4) * disk.mass / 3.0 * std::abs(base_speed);  // 1/m_t = 3/m for a disk
-    EXPECT_EQ(friction < 1.0, friction * normal < sticking) << "one of each";
-    const double given = std::copysign(std::min(friction * normal, sticking), base_speed);
-    EXPECT_NEAR(simulation.disks()[0].vx, given / disk.mass, 1e-12);
-    EXPECT_NEAR(simulation.baseImpulse().x(), given, 1e-15);
-  }
 }
 
 }  // namespace

@@ -181,19 +181,5 @@ TEST(GranularTemperature, DoesNotFeelACommonDrift)
   EXPECT_NEAR(Simulation(flying(1e6)).granularTemperatures()[0].value(), 5.0, 1e-9);
 }
 
-TEST(BaseMotion, ComesToAPhaseWhenItSays)
-{
-  BaseMotion motion(BaseDefinition(), 10.0);
-  motion.command(Quantity::FREQUENCY, 20.0, 0.1);
-  for (const double turns : {0.5, 1.0, 3.25})
-  {
-    const std::optional<double> time = motion.timeOfTurns(turns);
-    ASSERT_TRUE(time);
-    EXPECT_NEAR(motion.turnsAt(*time), turns, 1e-12);
-  }
-  motion.command(Quantity::FREQUENCY, 0.0, 0.2);
-  EXPECT_FALSE(motion.timeOfTurns(100.0)) << "the drive comes to a halt before";
-}
-
 }  // namespace
 }  // namespace ratchet_sieve

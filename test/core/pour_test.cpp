@@ -103,16 +103,6 @@ TEST(Pour, StaysOnItsStretch)
   }
 }
 
-TEST(Pour, OrderHasEverySpeciesAsOftenAsAskedForAndMixed)
-{
-  Random random(1);
-  const auto order = pourOrder(test::mixture(500).species, random);
-  ASSERT_EQ(order.size(), 1000u);
-  EXPECT_EQ(std::count(order.begin(), order.end(), 0u), 500);
-  // In a fair shuffle half of the first 500 are of each kind, within 3 sigma = 34.
-  EXPECT_NEAR(std::count(order.begin(), order.begin() + 500, 0u), 250, 34);
-}
-
 TEST(DrawSpecies, FollowsTheShares)
 {
   auto species = test::mixture(0).species;

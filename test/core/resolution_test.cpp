@@ -34,15 +34,6 @@ TEST(Resolution, OfASceneInWhichNothingMovesIsASecond)
   EXPECT_EQ(timeScale(scene), 1.0);
 }
 
-TEST(Resolution, AFrequencyThatMovesNothingShortensNothing)
-{
-  SceneDefinition scene = test::mixture(1);
-  scene.base.frequency = 1e6;
-  EXPECT_DOUBLE_EQ(timeScale(scene), 1e-6);
-  scene.base.amplitude = 0.0;
-  EXPECT_DOUBLE_EQ(timeScale(scene), std::sqrt(0.020 / 9.81));
-}
-
 TEST(Resolution, TheLongestEpochKeepsAFastBaseFromOverlapping)
 {
   const double length = longestEpoch(100.0, 1e-6);

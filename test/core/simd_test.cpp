@@ -1,4 +1,3 @@
-#include "model/processor.h"
 #include "simd/batch_rows.h"
 
 #include <cmath>
@@ -20,27 +19,10 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Sets the number of lanes of all simulations for its lifetime.
-class Lanes
-{
-public:
-  explicit Lanes(int lanes) : present_(useLanes(lanes)) {}
-  ~Lanes() { useLanes(0); }
-  Lanes(const Lanes&) = delete;
-  Lanes& operator=(const Lanes&) = delete;
-
-  bool present() const { return present_; }
-
-private:
-  bool present_;
-};
-
 TEST(Simd, TwoAreInEveryMachine)
 {
-  EXPECT_TRUE(useLanes(2));
-  EXPECT_FALSE(useLanes(3));
-  EXPECT_EQ(presentBatchKernel().lanes, 2);
-  EXPECT_TRUE(useLanes(0));
+  EXPECT_EQ(widestKernel(2).lanes, 2);
+  EXPECT_EQ(widestKernel(3).lanes, 2);
 }
 
 TEST(Simd, AreLimitedByTheEnvironment)
@@ -146,14 +128,18 @@ Disk drawnDisk(const SystemState& system)
 }
 
 /// Searches from event to event until a contact is certain, as the loop does.
-BaseEvent searchInBatch(const SystemState& system)
+BaseEvent searchInBatch(const SystemState& system, const BatchKernel& kernel)
 {
   const BatchScene scene = *batchScene(system);
-  const BatchKernel& kernel = presentBatchKernel();
   SimdBatch batch{};
   BaseEvent event{0.0, {}};
   loadRow(system, 0, event, batch, 0);
-  kernel.launch(scene, batch, 1);
+  const auto position = intoBase(scene.base, batch.x[0], batch.y[0]);
+  const auto velocity = intoBase(scene.base, batch.vx[0], batch.vy[0]);
+  batch.s[0] = position.first;
+  batch.n[0] = position.second;
+  batch.vs[0] = velocity.first;
+  batch.vn[0] = velocity.second;
   for (int i = 0; i < 2000 && !event.feature && event.time < test::HORIZON; ++i)
   {
     kernel.search(scene, batch, 1);
@@ -177,8 +163,8 @@ TEST(Simd, FindTheFirstContactOfRandomFlights)
       {
         test::Bench bench(drawnSceneForBatches());
         test::addDisk(bench.state, drawnDisk(bench.state));
-        const Lanes lanes(*rc::gen::element(2, 0));
-        const BaseEvent found = searchInBatch(bench.state);
+        const BatchKernel& kernel = widestKernel(*rc::gen::element(2, 8));
+        const BaseEvent found = searchInBatch(bench.state, kernel);
         const Disk& disk = bench.state.disk(0);
         // The initial overlap of a disk of this size is rounding; positions are up to a few metres.
         const double tolerance = 1e-9 * disk.radius + 1e-14;
@@ -223,8 +209,8 @@ TEST(Simd, HandOverTheSameOutcomesAsTheMachine)
         Disk disk = drawnDisk(bench.state);
         disk.spin = *rc::gen::element(0.0, -300.0, 40.0);
         test::addDisk(bench.state, disk);
-        const Lanes lanes(*rc::gen::element(2, 0));
-        const BaseEvent event = searchInBatch(bench.state);
+        const BatchKernel& kernel = widestKernel(*rc::gen::element(2, 8));
+        const BaseEvent event = searchInBatch(bench.state, kernel);
         const bool clear = isClear(bench.state, event);
         RC_CLASSIFY(!clear, "no contact, or a graze");
         if (!clear)
@@ -232,7 +218,7 @@ TEST(Simd, HandOverTheSameOutcomesAsTheMachine)
         const BatchScene batch_scene = *batchScene(bench.state);
         SimdBatch batch{};
         loadRow(bench.state, 0, event, batch, 0);
-        presentBatchKernel().collide(batch_scene, batch, 1);
+        kernel.collide(batch_scene, batch, 1);
         BaseInstant base(bench.state.motion());
         const ContactOutcome outcome = bench.execution.collideWithBase(0, event.feature, event.time, base);
         RC_ASSERT(outcome.closed);

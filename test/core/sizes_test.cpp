@@ -182,15 +182,6 @@ TEST(Sizes, OfAWideTableByMassHaveTheirMeanAndAreDrawnAtOnce)
   }
 }
 
-TEST(Sizes, OfOneRadiusIsThatRadius)
-{
-  const SpeciesDefinition species =
-      speciesWith({SizeDistribution::TABLE, 0.0, 3.0, {0.001}, {2.0}, SizeShare::MASS});
-  const std::vector<double> radii = drawnRadii(species, 10);
-  EXPECT_EQ(radii.front(), 0.001);
-  EXPECT_EQ(radii.back(), 0.001);
-}
-
 TEST(Sizes, MassGrowsWithItsExponent)
 {
   for (const double exponent : {0.0, 1.0, 2.0, 2.5, 3.0, 7.3})

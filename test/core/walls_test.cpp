@@ -67,27 +67,6 @@ TEST(Walls, ADiskThatClearsAWallIsCountedBehindIt)
   EXPECT_EQ(simulation.bins()[0].left, 0u);
 }
 
-/// Rotated about its foot together with all disks: the result is the same in the base's frame.
-TEST(Walls, StandUprightOnAnInclinedBase)
-{
-  for (const double angle : {0.4, -1.1})
-    for (const double above : {0.5 * DISK_RADIUS, DISK_RADIUS + 1e-9})
-    {
-      SceneDefinition scene = thrownOver(above);
-      scene.base.inclination = angle;
-      InitialDisk& disk = scene.initial.front();
-      const double x = disk.x;
-      disk.x = std::cos(angle) * x - std::sin(angle) * disk.y;
-      disk.y = std::sin(angle) * x + std::cos(angle) * disk.y;
-      disk.vx = std::cos(angle);
-      disk.vy = std::sin(angle);
-      Simulation simulation(scene);
-      simulation.advanceTo(0.11);
-      EXPECT_EQ(simulation.collisions().wall, above < DISK_RADIUS ? 1u : 0u) << angle;
-      EXPECT_EQ(simulation.bins()[0].right, above < DISK_RADIUS ? 0u : 1u) << angle;
-    }
-}
-
 TEST(Walls, HaveAHeightOfTheirOwnUnlessTheSceneSaysOne)
 {
   SceneDefinition scene = test::mixture(50);
@@ -96,38 +75,6 @@ TEST(Walls, HaveAHeightOfTheirOwnUnlessTheSceneSaysOne)
   EXPECT_NEAR(wallHeight(scene), 10 * 0.4 + 0.006 + 0.02 + 0.004 + 2.0 * squares / 0.4, 1e-12);
   scene.base.wall_height = 0.3;
   EXPECT_EQ(wallHeight(scene), 0.3);
-}
-
-TEST(Walls, AreHigherThanThePour)
-{
-  for (const int count : {0, 1, 200, 1000})
-    for (const int teeth : {1, 20})
-    {
-      SceneDefinition scene = test::mixture(count);
-      scene.boundary = Boundary::WALLED;
-      scene.base.teeth = teeth;
-      Simulation simulation(scene);
-      for (const DiskState& disk : simulation.disks())
-        ASSERT_LT(disk.y, wallHeight(scene)) << count << " on " << teeth;
-    }
-}
-
-TEST(Walls, RunOverWhereMoreIsFedThanTheyHold)
-{
-  SceneDefinition scene = test::mixture(0);
-  scene.base.teeth = 1;
-  scene.boundary = Boundary::WALLED;
-  scene.base.wall_height = 0.03;
-  scene.feed.rate = 200.0;
-  scene.feed.even = true;
-  Simulation simulation(scene);
-  simulation.advanceTo(1.0);
-  std::uint64_t over = 0;
-  for (const SpeciesBins& bins : simulation.bins())
-    over += bins.counted();
-  EXPECT_GT(over, 20u);
-  EXPECT_EQ(over + simulation.activeDisks(), 200u);
-  test::expectNoOverlap(simulation);
 }
 
 }  // namespace

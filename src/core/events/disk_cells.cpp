@@ -50,7 +50,7 @@ std::size_t DiskCells::reserve(std::size_t count)
   return capacity_;
 }
 
-void DiskCells::add(std::uint32_t slot, double time, Observers::Share* share)
+void DiskCells::add(std::uint32_t slot, double time, ThreadBuffer* share)
 {
   if (lattice_turns_)
     images_[slot] -= static_cast<std::int32_t>(state_.widthsOutside(inGrid(slot, time).s()));
@@ -59,7 +59,7 @@ void DiskCells::add(std::uint32_t slot, double time, Observers::Share* share)
   grid_.add(slot, cellNow(slot, time), state_.radius(slot));
 }
 
-bool DiskCells::cross(std::uint32_t slot, Edge edge, double time, Observers::Share* share)
+bool DiskCells::cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* share)
 {
   CellGrid::Cell cell = grid_.cellOf(slot);
   grid_.remove(slot);
@@ -118,8 +118,8 @@ CellGrid DiskCells::makeGrid()
   const double side = std::max(layout.smallest_side, now.least_side);
   const std::size_t count = std::max<std::size_t>(1, state_.activeCount());
   const CellShape shape(scene.base.width(), layout.height, side,
-                        now.levels.count() > 1 ? std::max(count, MOST_NESTED_CELLS) : count);
-  return CellGrid(shape, now.levels, NEST_MARGIN * now.levels.diameters[0] + latticeMargin(), count, periodic,
+                        now.levels.count() > 1 ? std::max(count, MOST_NESTED_CELLS) : count, periodic);
+  return CellGrid(shape, now.levels, NEST_MARGIN * now.levels.diameters[0] + latticeMargin(), count,
                   fit_.layout() ? laps() : 0);
 }
 

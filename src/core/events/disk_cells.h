@@ -54,11 +54,12 @@ public:
   /// Adds a disk to its cell, wrapped into the width, because a new grid may have left it outside.
   /// @param share as in Observers::collided(), here and below. Several threads may move disks between cells
   /// of different columns at the same time.
-  void add(std::uint32_t slot, double time, Observers::Share* share = nullptr);
+  void add(std::uint32_t slot, double time, ThreadBuffer* share = nullptr);
   void remove(std::uint32_t slot) { grid_.remove(slot); }
+  const CellGrid& grid() const { return grid_; }
 
   /// Moves a disk to the cell of its new image.
-  void replace(std::uint32_t slot, double time, Observers::Share* share)
+  void replace(std::uint32_t slot, double time, ThreadBuffer* share)
   {
     remove(slot);
     add(slot, time, share);
@@ -95,13 +96,10 @@ public:
   }
 
   /// Moves a disk over an edge into the next cell. @return whether it was wrapped, which changes its flight
-  bool cross(std::uint32_t slot, Edge edge, double time, Observers::Share* share);
+  bool cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* share);
 
   /// To be called after crossings, with their number.
   void countCrossings(std::uint64_t crossings) { fit_.crossed(crossings); }
-
-  std::int32_t columns() const { return grid_.columns(); }
-  std::int32_t columnOf(std::uint32_t slot) const { return grid_.cellOf(slot).column; }
 
   /// The cells of the disks, without what decides on the grid.
   struct Snapshot
@@ -126,13 +124,6 @@ public:
   /// Whether disks see at most those of the next column to either side.
   bool seesNextColumnOnly() const { return grid_.levels().count() == 0 && grid_.columns() > 1; }
 
-  /// As CellGrid::visit(), around the disk's cell; after a crossing, only what is new beyond the edge.
-  template <typename Visit>
-  void visit(std::uint32_t slot, Edge entered, std::vector<std::uint32_t>& list, Visit&& visit) const
-  {
-    grid_.visit(slot, entered, list, visit);
-  }
-
   /// Per slot, while a periodic base turns: the image of a disk in the grid, in widths to the right of the
   /// disk. Null if this disk and all that it sees are in the grid themselves.
   const std::int32_t* images(std::uint32_t slot) const
@@ -147,9 +138,6 @@ public:
   /// To be called at the end of an epoch. @param events of the run so far, including crossings
   /// @return whether another layout is sufficiently cheaper: then call rebuild()
   bool endEpoch(std::uint64_t events, double time);
-
-  void prefetchCellOf(std::uint32_t slot) const { grid_.prefetchCellOf(slot); }
-  void prefetchAround(std::uint32_t slot) const { grid_.prefetchAround(grid_.cellOf(slot)); }
 
   void archive(StateArchive& state);
 

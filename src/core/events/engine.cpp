@@ -1,13 +1,12 @@
 #include "events/engine.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <thread>
 
-#include "model/processor.h"
 #include "ratchet_sieve/core/count_text.h"
+#include "simd/simd_batch.h"
 #include "state/placement.h"
 
 namespace ratchet_sieve
@@ -83,19 +82,19 @@ void Engine::pour(std::size_t species, std::size_t count, const PourObserver& ob
 }
 
 void Engine::pour(std::size_t species, std::size_t count, const Stretch& stretch,
-                  const PourObserver& observer)
+                  const PourObserver& observer, const FedDisk* own)
 {
   const SceneDefinition& scene = state_.scene();
   if (species >= scene.species.size())
     throw std::invalid_argument("there is no species " + std::to_string(species));
-  if (2.0 * state_.sizes(species).largest() > scene.base.width())
+  if (own == nullptr && 2.0 * state_.sizes(species).largest() > scene.base.width())
     throw std::invalid_argument("disks of species " + scene.species[species].name +
                                 " are wider than the machine: there is no room for them");
   loop_->catchUp(now_);
   const auto before = static_cast<std::uint32_t>(state_.disks().size());
   Random random = random_;
   pourDisks(state_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), stretch, now_,
-            random, observer);
+            random, observer, own);
   random_ = random;
   announce(before);
 }
@@ -120,10 +119,7 @@ std::unique_ptr<EventLoop> Engine::makeLoop()
   laneLimit();
   if (!hasPairs())
     return makeEnsembleLoop(state_);
-  const auto* const loop = std::find_if(std::begin(LOOPS), std::end(LOOPS),
-                                        [this](const LoopOfMethod& candidate)
-                                        { return candidate.method == state_.scene().accuracy.method; });
-  return loop->make(state_, execution_);
+  return state_.plan().steps ? makeStepLoop(state_, execution_) : makePairLoop(state_, execution_);
 }
 
 double Engine::nextMachineEvent() const
@@ -193,17 +189,9 @@ void Engine::feed()
   const FeedDefinition& feed = state_.scene().feed;
   const std::uint64_t next = fed_++;
   if (next < feed.disks.size())
-    return pourListed(feed.disks[next]);
+    return pour(feed.disks[next].species, 1, feed.stretch, {}, &feed.disks[next]);
   pour(drawSpecies(state_.scene().species, feed_random_), 1, feed.stretch, {});
   drawNextFeed();
-}
-
-void Engine::pourListed(const FedDisk& disk)
-{
-  loop_->catchUp(now_);
-  const auto slot = static_cast<std::uint32_t>(state_.disks().size());
-  pourDisk(state_, disk, state_.scene().feed.stretch, now_, random_);
-  announce(slot);
 }
 
 void Engine::drawNextFeed()

@@ -43,7 +43,7 @@ public:
   {
     return settledTime() + static_cast<double>(blocks) * blockTime();
   }
-  MeanSeries meanSeries() const { return state_.observers().meanSeries(blockTime()); }
+  MeanSeries meanSeries() const { return state_.observers().averages().series(blockTime()); }
 
   /// In the run's time [s].
   double startTime() const { return start_; }
@@ -101,9 +101,9 @@ private:
   void beginSegment();
   std::optional<double> nextFeed() const;
   void feed();
-  void pourListed(const FedDisk& disk);
   void drawNextFeed();
-  void pour(std::size_t species, std::size_t count, const Stretch& stretch, const PourObserver& observer);
+  void pour(std::size_t species, std::size_t count, const Stretch& stretch, const PourObserver& observer,
+            const FedDisk* own = nullptr);
   std::optional<double> nextEpochEnd() const { return state_.epoch().length; }
   void endEpoch();
 
@@ -133,7 +133,7 @@ private:
   double next_feed_ = 0.0;  ///< of the run [s]
   std::size_t threads_ = 1;
   StripSettings strips_;
-  PeriodWatch periods_{state_, state_.observers().counts().collisions};
+  PeriodWatch periods_{state_};
 };
 
 }  // namespace ratchet_sieve

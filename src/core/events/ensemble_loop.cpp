@@ -49,7 +49,11 @@ class EnsembleLoop : public EventLoop
 {
 public:
   explicit EnsembleLoop(SystemState& state)
-      : state_(state), share_(state.observers()), execution_(state, &share_), base_(state.motion())
+      : state_(state),
+        share_(state.observers().buffer()),
+        execution_(state, &share_),
+        base_(state.motion()),
+        kernel_(widestKernel(laneLimit()))
   {
     EnsembleLoop::setThreads(1);
   }
@@ -184,7 +188,7 @@ private:
   {
     most_events_ = mostEvents();
     pass_events_ = 0;
-    share_ = Observers::Share(state_.observers());
+    share_ = state_.observers().buffer();
     behind_.clear();
     for (const Copy& copy : copies_)
       if (hasEventUntil(last, copy.slot))
@@ -215,7 +219,7 @@ private:
     {
       std::size_t next = 0;
       std::size_t end = 0;
-      runs_[worker]->advance(state_, next_, scene, last, most_events_, pass_break_,
+      runs_[worker]->advance(kernel_, state_, next_, scene, last, most_events_, pass_break_,
                              [&](std::uint32_t& slot)
                              {
                                if (next == end)
@@ -296,9 +300,10 @@ private:
   }
 
   SystemState& state_;
-  Observers::Share share_;  ///< of the present pass
+  ThreadBuffer share_;  ///< of the present pass
   ContactExecution execution_;
   BaseInstant base_;
+  const BatchKernel& kernel_;
   std::vector<BaseEvent> next_;        ///< per disk
   std::vector<std::uint32_t> behind_;  ///< disks that have not reached the last event
   std::vector<Copy> copies_;

@@ -106,12 +106,4 @@ std::unique_ptr<EventLoop> makePairLoop(SystemState& state, ContactExecution& ex
 /// For disks that collide with each other, by fixed integration steps: Method::STEPS.
 std::unique_ptr<EventLoop> makeStepLoop(SystemState& state, ContactExecution& execution);
 
-/// The loops for disks that collide with each other, by the method of the scene.
-struct LoopOfMethod
-{
-  Method method;
-  std::unique_ptr<EventLoop> (*make)(SystemState& state, ContactExecution& execution);
-};
-constexpr LoopOfMethod LOOPS[] = {{Method::EVENTS, makePairLoop}, {Method::STEPS, makeStepLoop}};
-
 }  // namespace ratchet_sieve

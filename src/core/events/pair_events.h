@@ -75,7 +75,7 @@ class PairEvents
 public:
   /// @param layer, queue outlive this
   /// @param share as in Observers::collided()
-  PairEvents(PairLayer& layer, Queue& queue, ContactExecution execution, Observers::Share* share)
+  PairEvents(PairLayer& layer, Queue& queue, ContactExecution execution, ThreadBuffer* share)
       : layer_(layer),
         state_(layer.state),
         cells_(layer.cells),
@@ -105,14 +105,14 @@ public:
   /// disk's. @pre DiskCells::seesNextColumnOnly()
   ColumnSpan touched(std::uint32_t slot, double now) const
   {
-    const std::int32_t column = cells_.columnOf(slot);
+    const std::int32_t column = cells_.grid().columnOf(slot);
     const DiskPrediction& p = layer_.predictions[slot];
     if (p.pair.time <= now)
     {
       if (layer_.isStale(p))
         return {column - 1, column + 1};
       // The partner is on the same flight since it was in an adjacent cell, and has come closer.
-      std::int32_t partner = cells_.columnOf(p.pair.partner) - column;
+      std::int32_t partner = cells_.grid().columnOf(p.pair.partner) - column;
       if (partner > 1 || partner < -1)
         partner = partner > 0 ? -1 : 1;  // across the seam
       return {column - 1 + std::min(partner, 0), column + 1 + std::max(partner, 0)};
@@ -202,17 +202,18 @@ private:
     const PairSearch search(state_.pairScene(), slot, now);
     const int ring_shifts = cells_.ringShifts();
     const std::int32_t* const images = cells_.images(slot);
-    cells_.visit(slot, entered, near_,
-                 [&](const std::uint32_t* others, std::size_t count, int shift)
-                 {
-                   const PairContact found = ring_shifts > 0
-                                                 ? search.firstOnRing(others, count, ring_shifts)
-                                                 : search.firstAmong(others, count, shift, images);
-                   if (!found.isBefore(p.pair))
-                     return;
-                   p.pair = found;
-                   p.partner_event_count = state_.disk(found.partner).event_count;
-                 });
+    cells_.grid().visit(slot, entered, near_,
+                        [&](const std::uint32_t* others, std::size_t count, int shift)
+                        {
+                          const PairContact found =
+                              ring_shifts > 0     ? search.firstOnRing(others, count, ring_shifts)
+                              : images != nullptr ? search.firstAmong(others, count, shift, images)
+                                                  : search.firstAmong(others, count, shift);
+                          if (!found.isBefore(p.pair))
+                            return;
+                          p.pair = found;
+                          p.partner_event_count = state_.disk(found.partner).event_count;
+                        });
   }
 
   /// Continues the searches for cell edges and base contacts up to the disk's next other event, and queues
@@ -237,7 +238,7 @@ private:
   DiskCells& cells_;
   Queue& queue_;
   ContactExecution execution_;
-  Observers::Share* share_;
+  ThreadBuffer* share_;
   BaseInstant base_;
   std::uint64_t events_ = 0;
   std::uint64_t crossings_ = 0;

@@ -229,7 +229,7 @@ private:
   {
     const std::uint64_t events = events_of_queue_.takeEvents();
     if (events > 0)
-      window_length_ = (reached - reached_) * pace_ * settings_.events_per_column * cells_.columns() /
+      window_length_ = (reached - reached_) * pace_ * settings_.events_per_column * cells_.grid().columns() /
                        static_cast<double>(events);
     events_ += events;
     cells_.countCrossings(events_of_queue_.takeCrossings());
@@ -260,21 +260,21 @@ private:
       const PairContact& pair = layer_.predictions[slot].pair;
       if (pair.time <= prefetched_.end)
         prefetchEvent(pair.partner);
-      cells_.prefetchAround(slot);
+      cells_.grid().prefetchAround(slot);
     }
     for (const std::uint32_t slot : next_)
-      cells_.visit(slot, CellEdge::NONE, near_,
-                   [this](const std::uint32_t* others, std::size_t count, int)
-                   {
-                     for (std::size_t i = 0; i < count; ++i)
-                       prefetch(state_.disk(others[i]));
-                   });
+      cells_.grid().visit(slot, CellEdge::NONE, near_,
+                          [this](const std::uint32_t* others, std::size_t count, int)
+                          {
+                            for (std::size_t i = 0; i < count; ++i)
+                              prefetch(state_.disk(others[i]));
+                          });
   }
 
   void prefetchEvent(std::uint32_t slot) const
   {
     prefetch(layer_.predictions[slot]);
-    cells_.prefetchCellOf(slot);
+    cells_.grid().prefetchCellOf(slot);
     state_.prefetchEvent(slot);
   }
 

@@ -32,7 +32,7 @@ PairStrips::Region::Region(PairLayer& layer, std::vector<std::uint32_t>& places,
                            std::int32_t size)
     : first_column(first_column),
       columns(size),
-      share(layer.state.observers()),
+      share(layer.state.observers().buffer()),
       queue(places),
       events(layer, queue, ContactExecution(layer.state, &share), &share)
 {
@@ -40,7 +40,7 @@ PairStrips::Region::Region(PairLayer& layer, std::vector<std::uint32_t>& places,
 
 std::size_t PairStrips::mostStrips(const DiskCells& cells, const StripSettings& settings)
 {
-  const std::int32_t most = cells.columns() / settings.columns_per_strip;
+  const std::int32_t most = cells.grid().columns() / settings.columns_per_strip;
   return cells.seesNextColumnOnly() ? static_cast<std::size_t>(std::max(most, 1)) : 1;
 }
 
@@ -78,10 +78,10 @@ PairStrips::PairStrips(PairLayer& layer, std::size_t count, const StripSettings&
 /// With about as many disks and columns in each, none narrower than mostStrips() allows.
 void PairStrips::cutIntoStrips(std::size_t count)
 {
-  const std::int32_t columns = layer_.cells.columns();
+  const std::int32_t columns = layer_.cells.grid().columns();
   std::vector<std::size_t> disks(static_cast<std::size_t>(columns), 1);
   for (const std::uint32_t slot : layer_.state.slots(true))
-    ++disks[static_cast<std::size_t>(layer_.cells.columnOf(slot))];
+    ++disks[static_cast<std::size_t>(layer_.cells.grid().columnOf(slot))];
   const std::size_t all = std::accumulate(disks.begin(), disks.end(), std::size_t{0});
   const std::int32_t least = columns / static_cast<std::int32_t>(mostStrips(layer_.cells, settings_));
   std::int32_t first = 0;
@@ -200,14 +200,14 @@ void PairStrips::guarded(Phase&& phase)
 
 std::int32_t PairStrips::placeIn(const Region& region, std::uint32_t slot) const
 {
-  const std::int32_t place = layer_.cells.columnOf(slot) - region.first_column;
-  return place < 0 && ring_ ? place + layer_.cells.columns() : place;
+  const std::int32_t place = layer_.cells.grid().columnOf(slot) - region.first_column;
+  return place < 0 && ring_ ? place + layer_.cells.grid().columns() : place;
 }
 
 /// From the region's first column.
 ColumnSpan PairStrips::touched(const Region& region, std::uint32_t slot, double now) const
 {
-  const std::int32_t offset = placeIn(region, slot) - layer_.cells.columnOf(slot);
+  const std::int32_t offset = placeIn(region, slot) - layer_.cells.grid().columnOf(slot);
   const ColumnSpan span = region.events.touched(slot, now);
   return {span.first + offset, span.last + offset};
 }
@@ -283,7 +283,7 @@ void PairStrips::advance(Cut& cut)
   };
   queue_all(strips_[cut.left]->right_over);
   queue_all(strips_[cut.right]->left_over);
-  const std::int32_t columns = layer_.cells.columns();
+  const std::int32_t columns = layer_.cells.grid().columns();
   const auto is_free = [&](const ColumnSpan& span, double now)
   {
     if (span.first < 0 || span.last >= cut.columns)
@@ -338,7 +338,7 @@ void PairStrips::finishWindow(double time)
   ++counts_.windows;
   counts_.events += events;
   events_to_commit_ += events;
-  const double wanted = pace_ * settings_.events_per_column * layer_.cells.columns();
+  const double wanted = pace_ * settings_.events_per_column * layer_.cells.grid().columns();
   const auto found = static_cast<double>(events);
   // Not from a window that ends early.
   if (const double whole = (end_ - start_) / length_; whole > 0.5)
@@ -396,7 +396,7 @@ void PairStrips::commit()
     events_ += region.events.takeEvents();
     region.counted = 0;
     layer_.cells.countCrossings(region.events.takeCrossings());
-    layer_.state.merge(std::exchange(region.share, Observers::Share(layer_.state.observers())));
+    layer_.state.merge(std::exchange(region.share, layer_.state.observers().buffer()));
   };
   for (const auto& strip : strips_)
     hand_over(*strip);

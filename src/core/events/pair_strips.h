@@ -119,7 +119,7 @@ private:
 
     std::int32_t first_column;
     std::int32_t columns;
-    Observers::Share share;
+    ThreadBuffer share;
     SlotQueue queue;
     PairEvents<SlotQueue> events;
     std::uint64_t counted = 0;  ///< events up to the last window
@@ -146,7 +146,7 @@ private:
   void cutIntoStrips(std::size_t count);
   std::uint16_t stripOf(std::uint32_t slot) const
   {
-    return strip_of_[static_cast<std::size_t>(layer_.cells.columnOf(slot))];
+    return strip_of_[static_cast<std::size_t>(layer_.cells.grid().columnOf(slot))];
   }
   void work(std::size_t worker, std::size_t workers, SpinBarrier& barrier, double time);
   template <typename Phase>

@@ -13,20 +13,6 @@
 namespace ratchet_sieve
 {
 
-/// Number and size of the cells in a machine of this `width` [m].
-struct CellShape
-{
-  /// @param height covered by the rows [m]
-  /// @param smallest_side of a cell: at least the largest diameter, with a margin [m]
-  /// @param count number of disks, to keep the number of cells in proportion
-  CellShape(double width, double height, double smallest_side, std::size_t count);
-
-  std::int32_t columns = 1;
-  std::int32_t rows = 1;
-  double side_s = 0.0;  ///< [m]
-  double side_n = 0.0;  ///< [m]
-};
-
 /// The cell list. Cells are at least as wide as the largest diameter, so that only disks in the same or
 /// adjacent cells can touch; larger disks than that are in a CellNest. Columns along s, rows along n, in a
 /// fixed frame. The outermost cells extend to infinity, except the columns of a periodic grid, which form a
@@ -43,16 +29,11 @@ public:
     void archive(StateArchive& state) { state(column, row); }
   };
 
-  /// Parameters as in CellShape.
-  /// @param laps widths by which a ring of one column extends beyond either end; 0 with more columns
-  CellGrid(double width, double height, double smallest_side, std::size_t count, bool periodic,
-           std::int32_t laps = 0);
-
-  /// With cells for disks of very different sizes.
   /// @param shape at least as wide as the first level and the margin; levels that fit into it become the
   /// first
   /// @param margin see CellNest
-  CellGrid(const CellShape& shape, const SizeLevels& levels, double margin, std::size_t count, bool periodic,
+  /// @param laps widths by which a ring of one column extends beyond either end; 0 with more columns
+  CellGrid(const CellShape& shape, const SizeLevels& levels, double margin, std::size_t count,
            std::int32_t laps = 0);
 
   /// @param radius if there are levels of sizes [m]
@@ -66,33 +47,34 @@ public:
 
   bool atOpenSeam(Cell cell) const
   {
-    return cell.column < open_columns_ || cell.column >= columns_ - open_columns_;
+    return cell.column < open_columns_ || cell.column >= shape_.columns - open_columns_;
   }
 
   /// Whether a disk may see one that is at the open seam, or in the topmost row.
   bool seesOpenSeam(std::uint32_t slot) const
   {
     const Cell cell = cells_[slot];
-    return cell.column <= open_columns_ || cell.column + 1 >= columns_ - open_columns_ ||
-           cell.row + 2 >= rows_;
+    return cell.column <= open_columns_ || cell.column + 1 >= shape_.columns - open_columns_ ||
+           cell.row + 2 >= shape_.rows;
   }
 
   Cell cellAt(double s, double n) const;
   Cell cellOf(std::uint32_t slot) const { return cells_[slot]; }
+  std::int32_t columnOf(std::uint32_t slot) const { return cells_[slot].column; }
 
   /// Several threads may then move disks between cells of different columns at the same time.
   void reserveOverflow() { blocks_.reserveOverflow(cells_.size()); }
 
-  bool periodic() const { return periodic_; }
-  std::int32_t columns() const { return columns_; }
-  std::int32_t rows() const { return rows_; }
+  bool periodic() const { return shape_.periodic; }
+  std::int32_t columns() const { return shape_.columns; }
+  std::int32_t rows() const { return shape_.rows; }
   std::int32_t laps() const { return laps_; }
-  double columnStart(std::int32_t column) const { return column * side_s_; }
+  double columnStart(std::int32_t column) const { return column * shape_.side_s; }
 
   /// The left and the right edge of a column.
-  double leftEdge(std::int32_t column) const { return columnStart(column) - laps_ * side_s_; }
-  double rightEdge(std::int32_t column) const { return columnStart(column + 1) + laps_ * side_s_; }
-  double rowStart(std::int32_t row) const { return row * side_n_; }
+  double leftEdge(std::int32_t column) const { return columnStart(column) - laps_ * shape_.side_s; }
+  double rightEdge(std::int32_t column) const { return columnStart(column + 1) + laps_ * shape_.side_s; }
+  double rowStart(std::int32_t row) const { return row * shape_.side_n; }
 
   /// The cells around a cell: from (column + first_column, row + first_row) to (column + last_column, row +
   /// last_row).
@@ -114,15 +96,17 @@ public:
   {
     const Cell cell = cells_[slot];
     if (nest_.empty())
-      return this->visit(cell, atOpenSeam(cell) ? Surroundings{-1, 1, -rows_, rows_} : beyond(entered), list,
-                         visit);
+      return this->visit(cell,
+                         atOpenSeam(cell) ? Surroundings{-1, 1, -shape_.rows, shape_.rows} : beyond(entered),
+                         list, visit);
     const std::int32_t reach = nest_.reach(levels_[slot]);
     for (int shift = -1; shift <= 1; ++shift)
     {
-      if (shift != 0 && !(periodic_ && (shift < 0 ? cell.column < reach : cell.column + reach >= columns_)))
+      if (shift != 0 &&
+          !(shape_.periodic && (shift < 0 ? cell.column < reach : cell.column + reach >= shape_.columns)))
         continue;
-      const std::size_t count =
-          collectNested({levels_[slot], entered, cell.column - shift * columns_, cell.row}, list);
+      const CellNest::Place place{levels_[slot], entered, cell.column - shift * shape_.columns, cell.row};
+      const std::size_t count = nest_.collect(place, blocks_, list);
       if (count > 0)
         visit(list.data(), count, shift);
     }
@@ -136,7 +120,7 @@ public:
   void visit(Cell cell, const Surroundings& around, std::vector<std::uint32_t>& list, Visit&& visit) const
   {
     const int first_row = std::max(cell.row + around.first_row, 0);
-    const int last_row = std::min(cell.row + around.last_row, rows_ - 1);
+    const int last_row = std::min(cell.row + around.last_row, shape_.rows - 1);
     const int first_column = cell.column + around.first_column;
     const int last_column = cell.column + around.last_column;
     const auto visit_columns = [&](int first, int last, int shift)
@@ -147,23 +131,24 @@ public:
           count = blocks_.collect(index({column, row}), list, count);
       visit(list.data(), count, shift);
     };
-    visit_columns(std::max(first_column, 0), std::min(last_column, columns_ - 1), 0);
-    if (!periodic_ || laps_ > 0)
+    visit_columns(std::max(first_column, 0), std::min(last_column, shape_.columns - 1), 0);
+    if (!shape_.periodic || laps_ > 0)
       return;
     if (first_column < 0)
-      visit_columns(columns_ - 1, columns_ - 1, -1);
-    if (last_column >= columns_)
+      visit_columns(shape_.columns - 1, shape_.columns - 1, -1);
+    if (last_column >= shape_.columns)
       visit_columns(0, 0, 1);
   }
 
   /// Prefetches what cellOf() reads.
   void prefetchCellOf(std::uint32_t slot) const { prefetch(cells_[slot]); }
 
-  /// Prefetches what visit() reads of the cells around one, except those beyond the seam.
-  void prefetchAround(Cell cell) const
+  /// Prefetches what visit() reads of the cells around a disk, except those beyond the seam.
+  void prefetchAround(std::uint32_t slot) const
   {
-    for (int row = std::max(cell.row - 1, 0); row <= std::min(cell.row + 1, rows_ - 1); ++row)
-      for (int column = std::max(cell.column - 1, 0); column <= std::min(cell.column + 1, columns_ - 1);
+    const Cell cell = cells_[slot];
+    for (int row = std::max(cell.row - 1, 0); row <= std::min(cell.row + 1, shape_.rows - 1); ++row)
+      for (int column = std::max(cell.column - 1, 0); column <= std::min(cell.column + 1, shape_.columns - 1);
            ++column)
         blocks_.prefetchCell(index({column, row}));
   }
@@ -174,17 +159,13 @@ public:
   const SizeLevels& levels() const { return nest_.levels(); }
 
 private:
-  CellNest::Lattice lattice() const { return {periodic_, columns_, rows_, side_s_, side_n_}; }
-  std::size_t collectNested(const CellNest::Place& place, std::vector<std::uint32_t>& list) const;
+  std::size_t index(Cell cell) const
+  {
+    return static_cast<std::size_t>(cell.row) * shape_.columns + cell.column;
+  }
 
-  std::size_t index(Cell cell) const { return static_cast<std::size_t>(cell.row) * columns_ + cell.column; }
-
-  bool periodic_;
+  CellShape shape_;
   std::int32_t laps_;
-  std::int32_t columns_;
-  std::int32_t rows_;
-  double side_s_;
-  double side_n_;
   std::int32_t open_columns_ = 0;  ///< at either end of the ring; see openSeam()
   CellBlocks blocks_;
   std::vector<Cell> cells_;           ///< per disk

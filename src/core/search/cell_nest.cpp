@@ -12,29 +12,44 @@ std::int32_t at(const std::vector<std::int32_t>& extent, std::int32_t rows)
 {
   return rows < static_cast<std::int32_t>(extent.size()) ? extent[static_cast<std::size_t>(rows)] : -1;
 }
+
+/// With more cells per disk, most would be empty and cost memory and crossings.
+constexpr double MAX_CELLS_PER_DISK = 1.5;
+constexpr double MIN_CELLS = 64.0;
 }  // namespace
 
-CellNest::CellNest(const Lattice& lattice, SizeLevels levels, double margin)
+CellShape::CellShape(double width, double height, double smallest_side, std::size_t count, bool ring)
+    : periodic(ring)
+{
+  const double limit = std::max(MIN_CELLS, MAX_CELLS_PER_DISK * static_cast<double>(count));
+  const double side = std::max(smallest_side, std::sqrt(width * height / limit));
+  columns = static_cast<std::int32_t>(std::clamp(std::floor(width / side), 1.0, limit));
+  rows = static_cast<std::int32_t>(std::clamp(std::floor(height / side), 1.0, limit));
+  side_s = width / columns;
+  side_n = side;
+}
+
+CellNest::CellNest(const CellShape& shape, SizeLevels levels, double margin)
     : levels_(std::move(levels)), margin_(margin)
 {
   larger_.resize(levels_.count() - 1);
-  build(lattice);
+  build(shape);
   for (Level& level : larger_)
   {
-    const auto rows = static_cast<std::size_t>((lattice_.rows - 1) >> level.shift) + 1;
+    const auto rows = static_cast<std::size_t>((shape_.rows - 1) >> level.shift) + 1;
     level.blocks = CellBlocks(level.columns * rows);
     level.smallest_radius = levels_.largest();
   }
 }
 
 /// What follows from the levels and the grid.
-void CellNest::build(const Lattice& lattice)
+void CellNest::build(const CellShape& shape)
 {
-  lattice_ = lattice;
+  shape_ = shape;
   for (std::size_t k = 0; k < larger_.size(); ++k)
   {
     larger_[k].shift = std::max(1, std::ilogb(levels_.diameters[k + 1] / levels_.diameters[0]));
-    larger_[k].columns = static_cast<std::size_t>((lattice_.columns - 1) >> larger_[k].shift) + 1;
+    larger_[k].columns = static_cast<std::size_t>((shape_.columns - 1) >> larger_[k].shift) + 1;
   }
   const std::size_t count = levels_.count();
   extents_.resize(count * count);
@@ -52,13 +67,13 @@ void CellNest::build(const Lattice& lattice)
 /// The cells that may contain a point within `reach` of a point of the cell in their middle.
 CellNest::Extent CellNest::extentOf(double reach) const
 {
-  const auto rows = static_cast<std::int32_t>(std::ceil(reach / lattice_.side_n));
+  const auto rows = static_cast<std::int32_t>(std::ceil(reach / shape_.side_n));
   Extent extent;
   for (std::int32_t row = 0; row <= rows; ++row)
   {
-    const double away = std::max(0, row - 1) * lattice_.side_n;
+    const double away = std::max(0, row - 1) * shape_.side_n;
     const double along = std::sqrt(std::max(0.0, reach * reach - away * away));
-    extent.push_back(std::max(1, static_cast<std::int32_t>(std::ceil(along / lattice_.side_s))));
+    extent.push_back(std::max(1, static_cast<std::int32_t>(std::ceil(along / shape_.side_s))));
   }
   return extent;
 }
@@ -70,10 +85,10 @@ CellNest::Extent CellNest::coveredBy(double radius) const
   const double within = radius - margin_;
   for (std::int32_t row = 0;; ++row)
   {
-    const double away = (row + 1) * lattice_.side_n;
+    const double away = (row + 1) * shape_.side_n;
     if (away >= within)
       return extent;
-    const double columns = std::floor(std::sqrt(within * within - away * away) / lattice_.side_s) - 1.0;
+    const double columns = std::floor(std::sqrt(within * within - away * away) / shape_.side_s) - 1.0;
     if (columns < 0.0)
       return extent;
     extent.push_back(static_cast<std::int32_t>(columns));
@@ -101,21 +116,22 @@ void CellNest::remove(std::uint8_t level, std::int32_t column, std::int32_t row,
 }
 
 std::size_t CellNest::collect(const Place& place, const CellBlocks& smallest,
-                              std::vector<std::uint32_t>& list, std::size_t count) const
+                              std::vector<std::uint32_t>& list) const
 {
   static const Extent NOTHING;
-  if (place.level > 0)
+  std::size_t count = 0;
+  for (std::size_t level = 0; level < levels_.count(); ++level)
   {
-    const Extent& covered = larger_[place.level - 1].covered;
-    count = collect(place, {smallest, 0, static_cast<std::size_t>(lattice_.columns)}, extent(place.level, 0),
-                    covered, list, count);
-  }
-  for (std::size_t k = 0; k < larger_.size(); ++k)
-  {
-    const Level& other = larger_[k];
-    if (other.disks > 0)
-      count = collect(place, {other.blocks, other.shift, other.columns}, extent(place.level, k + 1),
-                      k + 1 < place.level ? larger_[place.level - 1].covered : NOTHING, list, count);
+    const Extent& covered = level < place.level ? larger_[place.level - 1].covered : NOTHING;
+    Buckets buckets{&smallest, 0, static_cast<std::size_t>(shape_.columns)};
+    if (level > 0)
+    {
+      const Level& of = larger_[level - 1];
+      if (of.disks == 0)
+        continue;
+      buckets = {&of.blocks, of.shift, of.columns};
+    }
+    count = collect(place, buckets, extent(place.level, level), covered, list, count);
   }
   return count;
 }
@@ -125,7 +141,7 @@ CellNest::Columns CellNest::columnsOf(const Place& place, std::int32_t first, st
                                       const Extent& extent, const Extent& covered) const
 {
   const auto most = static_cast<std::int32_t>(extent.size()) - 1;
-  const std::int32_t last_column = lattice_.columns - 1;
+  const std::int32_t last_column = shape_.columns - 1;
   const std::int32_t below = place.row - first;
   const std::int32_t above = last - place.row;
   const std::int32_t farthest = std::max(below, above);
@@ -135,10 +151,10 @@ CellNest::Columns CellNest::columnsOf(const Place& place, std::int32_t first, st
   {
     case CellEdge::NONE:
       if (const std::int32_t inner = at(covered, farthest);
-          inner >= 0 && isBounded(place) && first > 0 && last + 1 < lattice_.rows)
+          inner >= 0 && isBounded(place) && first > 0 && last + 1 < shape_.rows)
       {
         columns.skipped = {place.column - inner, place.column + inner};
-        if (!lattice_.periodic)
+        if (!shape_.periodic)
           columns.skipped = {std::max(columns.skipped.first, 1),
                              std::min(columns.skipped.last, last_column - 1)};
       }
@@ -164,8 +180,8 @@ CellNest::Columns CellNest::columnsOf(const Place& place, std::int32_t first, st
 /// Whether the disk's cell is none of the outermost, which are without end: nothing covers them.
 bool CellNest::isBounded(const Place& place) const
 {
-  return place.row > 0 && place.row + 1 < lattice_.rows &&
-         (lattice_.periodic || (place.column > 0 && place.column < lattice_.columns - 1));
+  return place.row > 0 && place.row + 1 < shape_.rows &&
+         (shape_.periodic || (place.column > 0 && place.column < shape_.columns - 1));
 }
 
 /// Row by row of the buckets. @param covered cells that need not be read
@@ -176,7 +192,7 @@ std::size_t CellNest::collect(const Place& place, const Buckets& buckets, const 
   const auto most = static_cast<std::int32_t>(extent.size()) - 1;
   const std::int32_t lowest = place.entered == CellEdge::UPPER ? place.row : std::max(place.row - most, 0);
   const std::int32_t highest =
-      place.entered == CellEdge::LOWER ? place.row : std::min(place.row + most, lattice_.rows - 1);
+      place.entered == CellEdge::LOWER ? place.row : std::min(place.row + most, shape_.rows - 1);
   const std::int32_t size = 1 << buckets.shift;
   for (std::int32_t row = lowest >> buckets.shift; row <= highest >> buckets.shift; ++row)
   {
@@ -188,7 +204,7 @@ std::size_t CellNest::collect(const Place& place, const Buckets& buckets, const 
     {
       const std::size_t start = static_cast<std::size_t>(row) * buckets.columns;
       for (std::int32_t column = from; column <= to; ++column)
-        count = buckets.blocks.collect(start + static_cast<std::size_t>(column), list, count);
+        count = buckets.blocks->collect(start + static_cast<std::size_t>(column), list, count);
     };
     const Span all{span.first >> buckets.shift, span.last >> buckets.shift};
     // Buckets that are skipped as a whole; if there are none, those after the last.
@@ -202,12 +218,12 @@ std::size_t CellNest::collect(const Place& place, const Buckets& buckets, const 
   return count;
 }
 
-void CellNest::archive(StateArchive& state, const Lattice& lattice)
+void CellNest::archive(StateArchive& state, const CellShape& shape)
 {
   state(levels_, margin_, larger_);
   if (!state.restoring() || empty())
     return;
-  build(lattice);
+  build(shape);
   for (Level& level : larger_)
     level.covered = coveredBy(level.smallest_radius);
 }

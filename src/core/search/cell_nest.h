@@ -21,6 +21,24 @@ enum class CellEdge : std::uint8_t
   UPPER
 };
 
+/// Number and size of the cells in a machine of this `width` [m].
+struct CellShape
+{
+  /// @param height covered by the rows [m]
+  /// @param smallest_side of a cell: at least the largest diameter, with a margin [m]
+  /// @param count number of disks, to keep the number of cells in proportion
+  /// @param ring whether the columns form a ring
+  CellShape(double width, double height, double smallest_side, std::size_t count, bool ring = false);
+
+  CellShape() = default;
+
+  bool periodic = false;  ///< the columns form a ring
+  std::int32_t columns = 1;
+  std::int32_t rows = 1;
+  double side_s = 0.0;  ///< [m]
+  double side_n = 0.0;  ///< [m]
+};
+
 /// The larger disks of a cell grid, by levels of their sizes (Ogarko & Luding, Comput. Phys. Commun. 183, 931
 /// (2012)). Every disk has a cell of the grid, whose sides suit the smallest ones, and crosses its edges. The
 /// smallest are listed there (level 0); those of a higher level in buckets of 2, 4, 8, ... cells a side.
@@ -31,22 +49,12 @@ enum class CellEdge : std::uint8_t
 class CellNest
 {
 public:
-  /// The grid of cells.
-  struct Lattice
-  {
-    bool periodic = false;
-    std::int32_t columns = 1;
-    std::int32_t rows = 1;
-    double side_s = 0.0;  ///< [m]
-    double side_n = 0.0;  ///< [m]
-  };
-
   /// Without larger disks.
   CellNest() = default;
 
   /// @param levels in which the cells' sides are at least the first diameter and the margin
   /// @param margin by which a distance of two disks may be less than their positions in the cells say [m]
-  CellNest(const Lattice& lattice, SizeLevels levels, double margin);
+  CellNest(const CellShape& shape, SizeLevels levels, double margin);
 
   /// Whether there is only level 0.
   bool empty() const { return larger_.empty(); }
@@ -68,11 +76,9 @@ public:
     std::int32_t row;
   };
 
-  /// Appends all neighbours of other levels, and of the disk's own if that is not level 0, to the list.
-  /// @param smallest the disks of level 0, per cell
-  /// @return the new count
-  std::size_t collect(const Place& place, const CellBlocks& smallest, std::vector<std::uint32_t>& list,
-                      std::size_t count) const;
+  /// Puts all neighbours into the list. @param smallest the disks of level 0, per cell
+  /// @return their number
+  std::size_t collect(const Place& place, const CellBlocks& smallest, std::vector<std::uint32_t>& list) const;
 
   std::size_t bucket(std::uint8_t level, std::int32_t column, std::int32_t row) const
   {
@@ -81,7 +87,7 @@ public:
            static_cast<std::size_t>(column >> of.shift);
   }
 
-  void archive(StateArchive& state, const Lattice& lattice);
+  void archive(StateArchive& state, const CellShape& shape);
 
 private:
   /// Per difference of rows: the largest difference of columns; nothing beyond the last.
@@ -102,12 +108,12 @@ private:
   /// Cells or buckets to be read.
   struct Buckets
   {
-    const CellBlocks& blocks;
+    const CellBlocks* blocks;
     int shift;
     std::size_t columns;
   };
 
-  void build(const Lattice& lattice);
+  void build(const CellShape& shape);
   const Extent& extent(std::size_t a, std::size_t b) const { return extents_[a * levels_.count() + b]; }
   Extent extentOf(double reach) const;
   Extent coveredBy(double radius) const;
@@ -131,7 +137,7 @@ private:
   std::size_t collect(const Place& place, const Buckets& buckets, const Extent& extent, const Extent& covered,
                       std::vector<std::uint32_t>& list, std::size_t count) const;
 
-  Lattice lattice_;
+  CellShape shape_;
   SizeLevels levels_;
   double margin_ = 0.0;  ///< [m]
   std::vector<Level> larger_;

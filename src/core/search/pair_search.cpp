@@ -33,7 +33,7 @@ int roundedUp(double x)
 }
 }  // namespace
 
-PairContact PairSearch::firstOfSlots(const std::uint32_t* others, std::size_t count, int shift) const
+PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t count, int shift) const
 {
   PairContact first;
   const Image image = scene_.image(shift, from_);
@@ -43,13 +43,13 @@ PairContact PairSearch::firstOfSlots(const std::uint32_t* others, std::size_t co
 }
 
 /// On a turning base: consecutive disks that are not across the seam are tested together.
-PairContact PairSearch::firstOfImages(const std::uint32_t* others, std::size_t count, int shift,
-                                      const std::int32_t* images) const
+PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t count, int shift,
+                                   const std::int32_t* images) const
 {
   PairContact first;
   std::size_t begin = 0;
   const auto search_row = [&](std::size_t end)
-  { first.keepEarlier(firstOfSlots(others + begin, end - begin, 0)); };
+  { first.keepEarlier(firstAmong(others + begin, end - begin, 0)); };
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::uint32_t other = others[i];
@@ -195,7 +195,7 @@ struct PairSearch::Lanes
   }
 };
 
-/// Computes as contact() and timeToContact() do, two disks at a time. First, whether each will be
+/// Computes as contactWith() and timeToContact() do, two disks at a time. First, whether each will be
 /// touched, without a branch. Then the times of those that will, four at a time, because most will not, and a
 /// root is slow.
 PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,

@@ -126,15 +126,12 @@ public:
   /// The first contact with the images of these disks that are `shift` widths to their right. There is no
   /// limit in time, except on a base that moves to its setpoints: up to the next new prediction. The disk
   /// itself may be in the list and is ignored.
-  /// @param images images in the grid on a turning base, per slot and in widths; `shift` is relative to
-  /// these: see DiskCells::images()
+  PairContact firstAmong(const std::uint32_t* others, std::size_t count, int shift) const;
+
+  /// The same where `shift` is relative to the images in the grid on a turning base.
+  /// @param images per slot, in widths: see DiskCells::images()
   PairContact firstAmong(const std::uint32_t* others, std::size_t count, int shift,
-                         const std::int32_t* images = nullptr) const
-  {
-    if (images != nullptr)
-      return firstOfImages(others, count, shift, images);
-    return firstOfSlots(others, count, shift);
-  }
+                         const std::int32_t* images) const;
 
   /// The first contact with any of these disks' images up to `most_laps` widths to either side, in closed
   /// form for those that the disk passes. @pre the base is periodic and does not turn
@@ -147,7 +144,16 @@ public:
     const double distance = radius_ + scene_.radius(other);
     if (shift != 0 && scene_.motion.turning())
       return contactAcrossTurningSeam(disk, shift, distance);
-    return contact(disk, scene_.image(shift, from_), distance);
+    // With the same gravity the parabolas differ by a straight line, but the two states are given at
+    // different times.
+    const Kinematics kinematics = kinematicsAt(disk, from_, scene_.gravity);
+    const Eigen::Vector2d position =
+        vectorOf(kinematics_.position) - scene_.image(shift, from_).shift - vectorOf(kinematics.position);
+    const auto time_to_contact =
+        timeToContact(position, vectorOf(kinematics_.velocity - kinematics.velocity), distance);
+    if (!time_to_contact || from_ + *time_to_contact >= until_)
+      return std::nullopt;
+    return from_ + *time_to_contact;
   }
 
 private:
@@ -172,25 +178,8 @@ private:
     return {position - other.position, kinematics_.velocity - other.velocity, radius_ + scene_.radius(slot)};
   }
 
-  PairContact firstOfSlots(const std::uint32_t* others, std::size_t count, int shift) const;
-  PairContact firstOfImages(const std::uint32_t* others, std::size_t count, int shift,
-                            const std::int32_t* images) const;
   PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
                            const Image& image) const;
-
-  std::optional<double> contact(const Disk& other, const Image& image, double distance) const
-  {
-    // With the same gravity the parabolas differ by a straight line, but the two states are given at
-    // different times.
-    const Kinematics kinematics = kinematicsAt(other, from_, scene_.gravity);
-    const Eigen::Vector2d position =
-        vectorOf(kinematics_.position) - image.shift - vectorOf(kinematics.position);
-    const auto time_to_contact =
-        timeToContact(position, vectorOf(kinematics_.velocity - kinematics.velocity), distance);
-    if (!time_to_contact || from_ + *time_to_contact >= until_)
-      return std::nullopt;
-    return from_ + *time_to_contact;
-  }
 
   std::optional<double> contactAcrossTurningSeam(const Disk& other, int shift, double distance) const;
 

@@ -13,5 +13,5 @@ namespace
 #include "simd/batch_kernel.inc"
 }  // namespace
 
-const BatchKernel KERNEL_OF_TWO_LANES{LANES, collide, search, launch};
+const BatchKernel KERNEL_OF_TWO_LANES{LANES, collide, search};
 }  // namespace ratchet_sieve

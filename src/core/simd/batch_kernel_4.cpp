@@ -23,7 +23,7 @@ namespace
 #include "simd/batch_kernel.inc"
 }  // namespace
 
-const BatchKernel KERNEL_OF_FOUR_LANES{LANES, collide, search, launch};
+const BatchKernel KERNEL_OF_FOUR_LANES{LANES, collide, search};
 }  // namespace ratchet_sieve
 
 #if defined(__clang__)

@@ -1,56 +1,34 @@
 #include "simd/simd_batch.h"
 
-#include <initializer_list>
-
-#include "model/processor.h"
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
 
 namespace ratchet_sieve
 {
-namespace
-{
-const BatchKernel* asked_for = nullptr;
 
-const BatchKernel& widest()
+int laneLimit()
 {
-  const int limit = laneLimit();
-  for (const int lanes : {8, 4})
-    if (const BatchKernel* kernel = lanes <= limit ? batchKernel(lanes) : nullptr)
-      return *kernel;
-  return KERNEL_OF_TWO_LANES;
+  constexpr const char* VARIABLE = "RATCHET_SIEVE_LANES";
+  const char* text = std::getenv(VARIABLE);
+  if (text == nullptr)
+    return 8;
+  for (const int lanes : {2, 4, 8})
+    if (std::to_string(lanes) == text)
+      return lanes;
+  throw std::invalid_argument(std::string("environment variable ") + VARIABLE + " = " + text +
+                              ": must be 2, 4 or 8");
 }
-}  // namespace
 
-const BatchKernel* batchKernel(int lanes)
+const BatchKernel& widestKernel([[maybe_unused]] int most_lanes)
 {
-  switch (lanes)
-  {
-    case 2:
-      return &KERNEL_OF_TWO_LANES;
 #if defined(__x86_64__)
-    case 4:
-      return __builtin_cpu_supports("avx2") ? &KERNEL_OF_FOUR_LANES : nullptr;
-    case 8:
-      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") ? &KERNEL_OF_EIGHT_LANES
-                                                                                     : nullptr;
+  if (most_lanes >= 8 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl"))
+    return KERNEL_OF_EIGHT_LANES;
+  if (most_lanes >= 4 && __builtin_cpu_supports("avx2"))
+    return KERNEL_OF_FOUR_LANES;
 #endif
-    default:
-      return nullptr;
-  }
-}
-
-const BatchKernel& presentBatchKernel()
-{
-  static const BatchKernel& widest_kernel = widest();
-  return asked_for ? *asked_for : widest_kernel;
-}
-
-bool useLanes(int lanes)
-{
-  const BatchKernel* kernel = lanes == 0 ? nullptr : batchKernel(lanes);
-  if (lanes != 0 && !kernel)
-    return false;
-  asked_for = kernel;
-  return true;
+  return KERNEL_OF_TWO_LANES;
 }
 
 }  // namespace ratchet_sieve

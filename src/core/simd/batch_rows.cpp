@@ -121,13 +121,14 @@ void loadRow(const SystemState& system, std::uint32_t slot, const BaseEvent& nex
   batch.sticking_mass[row] = (1.0 + species.contact.tangential_restitution) * masses.tangential;
   batch.per_mass[row] = 1.0 / properties.mass;
   batch.radius_by_inertia[row] = properties.spin_response;
-  const RowSums sums = system.observers().rowSums(slot);
+  const Trajectory& sums = system.observers().trajectories()[slot];
+  const Eigen::Vector2d& impulse = system.observers().impulses().of(slot);
   batch.offset[row] = sums.offset;
   batch.translation[row] = sums.translation;
   batch.rotation[row] = sums.rotation;
   batch.angle[row] = sums.angle;
-  batch.impulse_x[row] = sums.impulse_x;
-  batch.impulse_y[row] = sums.impulse_y;
+  batch.impulse_x[row] = impulse.x();
+  batch.impulse_y[row] = impulse.y();
   const BatchContact contact = batchContact(next.feature);
   batch.event_time[row] = next.time;
   batch.feature[row] = contact.feature;
@@ -148,8 +149,12 @@ void storeRow(const SimdBatch& batch, std::size_t row, SystemState& system, std:
               BaseEvent& next)
 {
   readState(batch, row, system.changeable(slot));
-  system.observers().setRowSums(slot, {batch.offset[row], batch.translation[row], batch.rotation[row],
-                                       batch.angle[row], batch.impulse_x[row], batch.impulse_y[row]});
+  Trajectory& sums = system.observers().trajectories()[slot];
+  sums.offset = batch.offset[row];
+  sums.translation = batch.translation[row];
+  sums.rotation = batch.rotation[row];
+  sums.angle = batch.angle[row];
+  system.observers().impulses().set(slot, {batch.impulse_x[row], batch.impulse_y[row]});
   next = rowEvent(batch, row);
 }
 

@@ -76,12 +76,12 @@ public:
   /// Breaks off at an event that would end the run or is one too many of its disk, and where another thread
   /// does. Disks have then reached different events. If it is the last event, its disk just waits there.
   template <typename NextDisk>
-  void advance(SystemState& system, std::vector<BaseEvent>& next, const BatchScene& scene,
-               const LastEvent& last, std::uint32_t most_events, PassBreak& pass_break, NextDisk&& next_disk)
+  void advance(const BatchKernel& kernel, SystemState& system, std::vector<BaseEvent>& next,
+               const BatchScene& scene, const LastEvent& last, std::uint32_t most_events,
+               PassBreak& pass_break, NextDisk&& next_disk)
   {
-    const BatchKernel& kernel = presentBatchKernel();
     CollapseWatch& watch = system.collapseWatch();
-    share_.emplace(system.observers());
+    share_ = system.observers().buffer();
     std::uint32_t slot = 0;
     std::size_t rows = 0;
     std::uint32_t events = 0;  // of each row that is loaded all the while
@@ -124,7 +124,13 @@ public:
   }
 
   /// The results since the last call; `share` takes what this thread has observed.
-  Report takeReport(Observers::Share& share);
+  Report takeReport(ThreadBuffer& share)
+  {
+    if (share_)
+      share.merge(std::move(*share_));
+    share_.reset();
+    return std::exchange(report_, Report());
+  }
 
 private:
   /// Counts the event if it is ordinary. @return whether it is
@@ -165,13 +171,27 @@ private:
 
   /// Executes the next event of each of the first `rows` rows, passes the flights that end with it and the
   /// outcomes to the observers, and finds the event after it.
-  void executeEvents(const BatchKernel& kernel, const BatchScene& scene, std::size_t rows);
+  void executeEvents(const BatchKernel& kernel, const BatchScene& scene, std::size_t rows)
+  {
+    for (std::size_t row = 0; row < rows && share_->wantsFlights(); ++row)
+    {
+      Disk disk;
+      readState(batch_, row, disk);
+      disk.species = species_[row];
+      share_->flew({slots_[row], disk, batch_.event_time[row]});
+    }
+    kernel.collide(scene, batch_, rows);
+    report_.events += rows;
+    share_->collided(rows,
+                     [this](std::size_t row) { return outcomeOf(batch_, row, slots_[row], species_[row]); });
+    kernel.search(scene, batch_, rows);
+  }
 
   SimdBatch batch_;
   std::uint32_t slots_[SimdBatch::ROWS];
   std::uint32_t species_[SimdBatch::ROWS];
   std::uint32_t loaded_[SimdBatch::ROWS];  ///< the count of events then
-  std::optional<Observers::Share> share_;
+  std::optional<ThreadBuffer> share_;
   Report report_;
 };
 

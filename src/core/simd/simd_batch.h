@@ -84,7 +84,7 @@ struct SimdBatch
   alignas(64) Column per_mass;           ///< [1/kg]
   alignas(64) Column radius_by_inertia;  ///< r / I
 
-  // Running sums: see RowSums.
+  // Running sums: see Trajectory and BaseImpulses.
   alignas(64) Column translation, rotation, impulse_x, impulse_y, offset;
 
   // The next event.
@@ -113,9 +113,6 @@ struct BatchKernel
 
   /// Finds the next event of the first `rows` flights after `event_time`, and stores it there.
   void (*search)(const BatchScene& scene, SimdBatch& batch, std::size_t rows);
-
-  /// Sets flights from the disks' states, for those not set by `collide`.
-  void (*launch)(const BatchScene& scene, SimdBatch& batch, std::size_t rows);
 };
 
 /// The available kernels, each compiled for its own register width, together with the physics.
@@ -125,15 +122,12 @@ extern const BatchKernel KERNEL_OF_FOUR_LANES;
 extern const BatchKernel KERNEL_OF_EIGHT_LANES;
 #endif
 
-/// The kernel with this number of lanes (2, 4 or 8), or nullptr if this processor cannot run it.
-const BatchKernel* batchKernel(int lanes);
+/// Largest number of 64-bit values per register: the environment variable RATCHET_SIEVE_LANES (2, 4 or 8),
+/// or 8 if it is not set. For tests and bug reports: results do not depend on it.
+/// @throws std::invalid_argument if the variable has another value
+int laneLimit();
 
-/// The kernel set by useLanes(), or else the widest that this processor can run, up to laneLimit().
-/// @throws std::invalid_argument as laneLimit()
-const BatchKernel& presentBatchKernel();
-
-/// Sets the number of lanes for all simulations from now on; 0: the widest. For tests and benchmarks: results
-/// do not depend on it. @return false if this processor cannot; nothing is changed then
-bool useLanes(int lanes);
+/// The kernel with the most lanes that this processor can run. Results do not depend on it.
+const BatchKernel& widestKernel(int most_lanes);
 
 }  // namespace ratchet_sieve

@@ -19,7 +19,7 @@ double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 }
 }  // namespace
 
-ContactExecution::ContactExecution(SystemState& system, Observers::Share* share)
+ContactExecution::ContactExecution(SystemState& system, ThreadBuffer* share)
     : system_(system),
       share_(share),
       law_(system.scene().contact),

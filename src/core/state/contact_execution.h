@@ -17,7 +17,7 @@ class ContactExecution
 public:
   /// @param system outlives this
   /// @param share of the thread, if several advance disks at the same time: see Observers; outlives this
-  explicit ContactExecution(SystemState& system, Observers::Share* share = nullptr);
+  explicit ContactExecution(SystemState& system, ThreadBuffer* share = nullptr);
 
   /// Executes a disk's event with the base: a contact, or the passage of an end.
   void handleBaseEvent(std::uint32_t slot, const BaseFeature& feature, double time, BaseInstant& base)
@@ -51,7 +51,7 @@ private:
   void push(std::uint32_t slot, const Kinematics& now, const ContactOutcome& contact, double sign);
 
   SystemState& system_;
-  Observers::Share* share_;
+  ThreadBuffer* share_;
   CollisionLaw law_;
   bool spin_;
   double negligible_way_;  ///< [m]

@@ -130,7 +130,7 @@ struct Compaction
 class Observer
 {
 public:
-  /// What an added observer is told of; nobody is told of anything else.
+  /// What the added observers are told of: nothing to which none of them subscribes.
   enum Subscription : unsigned
   {
     CONTACTS = 1,

@@ -3,62 +3,67 @@
 #include <algorithm>
 #include <iterator>
 #include <tuple>
-#include <utility>
 
-#include "state/recent_exits.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-/// Tells a caller of some of what happens.
-template <typename Caller>
-class Report : public Observer
+/// Adds a disk to the bin into which it fell.
+void count(const Departure& departure, SpeciesBins& bins)
+{
+  const bool left = departure.exit == Exit::LEFT_BIN;
+  ++(left ? bins.left : bins.right);
+  (left ? bins.left_mass : bins.right_mass) += departure.mass;
+}
+}  // namespace
+
+/// The disks and their mass by place: in the machine, and in the bins at its ends. Of size classes, the
+/// numbers alone.
+class Bins final : public Observer
 {
 public:
-  Report(const SystemState& system, Caller observer) : system_(system), observer_(std::move(observer)) {}
-
-protected:
-  const SystemState& system_;
-  Caller observer_;
-};
-
-/// Tells a caller of each collision.
-class CollisionReport final : public Report<CollisionObserver>
-{
-public:
-  using Report::Report;
-  unsigned subscriptions() const override { return CONTACTS; }
-  void collided(const ContactOutcome& outcome) override
+  explicit Bins(const SystemState& system)
+      : of_species(system.scene().species.size()),
+        of_size_classes(system.sizeClasses().size()),
+        system_(system)
   {
-    CollisionRecord record;
-    record.time = system_.epoch().start + outcome.time;
-    record.kind = outcome.kind;
-    record.i = system_.id(outcome.i);
-    if (outcome.j != ContactOutcome::BASE)
-      record.j = system_.id(outcome.j);
-    record.normal_speed = -outcome.normal_velocity;
-    record.normal_impulse = outcome.normal_impulse;
-    record.tangential_impulse = outcome.tangential_impulse;
-    observer_(record);
   }
-};
 
-/// Tells a caller of each disk that leaves.
-class ExitReport final : public Report<ExitObserver>
-{
-public:
-  using Report::Report;
   unsigned subscriptions() const override { return DEPARTURES; }
+  void entered(const Disk& disk) override
+  {
+    ++of_species[disk.species].on_base;
+    if (const std::size_t k = system_.sizeClassOf(disk); k < of_size_classes.size())
+      ++of_size_classes[k].on_base;
+  }
   void left(const Departure& departure) override
   {
-    const Disk& disk = system_.disk(departure.slot);  // which stays as it was when it left
-    observer_({system_.epoch().start + departure.time, system_.id(departure.slot), departure.species,
-               disk.radius, departure.mass, departure.exit, disk.position.x()});
+    --of_species[departure.species].on_base;
+    count(departure, of_species[departure.species]);
+    const std::size_t k = system_.sizeClassOf(system_.disk(departure.slot));
+    if (k == of_size_classes.size())
+      return;
+    --of_size_classes[k].on_base;
+    ++(departure.exit == Exit::LEFT_BIN ? of_size_classes[k].left : of_size_classes[k].right);
   }
+
+  /// @throws StateError if the state is of another number of species
+  void archive(StateArchive& state) override
+  {
+    const std::size_t species = of_species.size();
+    state(of_species);
+    if (of_species.size() != species)
+      throw StateError("it is of another scene");
+  }
+
+  std::vector<SpeciesBins> of_species;
+  std::vector<SpeciesBins> of_size_classes;  ///< archived by the system
+
+private:
+  const SystemState& system_;
 };
-}  // namespace
 
 Observers::Observers(const SystemState& system)
     : system_(system),
@@ -69,7 +74,7 @@ Observers::Observers(const SystemState& system)
       averages_(system),
       energy_watch_(system),
       trajectories_(system),
-      bins_(add(std::make_unique<Bins>(species_)))
+      bins_(add(std::make_unique<Bins>(system)))
 {
   for (const std::string& name : system.scene().observe)
     observables_.push_back(add(makeObservable(name, system)));
@@ -78,7 +83,7 @@ Observers::Observers(const SystemState& system)
 }
 
 /// The sums of a disk change at once: no other thread has the disk.
-void Observers::collided(const ContactOutcome& outcome, Share& share)
+void Observers::collided(const ContactOutcome& outcome, ThreadBuffer& share)
 {
   share.collided(1, [&](std::size_t) { return outcome; });
   if (!outcome.closed)
@@ -87,35 +92,44 @@ void Observers::collided(const ContactOutcome& outcome, Share& share)
   contact_times_.collided(outcome);
 }
 
-template <typename What>
-void Observers::tell(const What& what)
-{
-  if (ordered_)
-    pending_.emplace_back(what);
-  else
-    deliverNow(what);
-}
-
-template void Observers::tell(const ContactOutcome& outcome);
-template void Observers::tell(const Flight& flight);
-template void Observers::tell(const Departure& departure);
-
 void Observers::deliverNow(const ContactOutcome& outcome)
 {
-  for (Observer* observer : of_contacts_)
+  for (const std::unique_ptr<Observer>& observer : added_)
     observer->collided(outcome);
+  if (!on_collision_)
+    return;
+  CollisionRecord record;
+  record.time = system_.epoch().start + outcome.time;
+  record.kind = outcome.kind;
+  record.i = system_.id(outcome.i);
+  if (outcome.j != ContactOutcome::BASE)
+    record.j = system_.id(outcome.j);
+  record.normal_speed = -outcome.normal_velocity;
+  record.normal_impulse = outcome.normal_impulse;
+  record.tangential_impulse = outcome.tangential_impulse;
+  on_collision_(record);
 }
 
 void Observers::deliverNow(const Flight& flight)
 {
-  for (Observer* observer : of_flights_)
+  for (const std::unique_ptr<Observer>& observer : added_)
     observer->flew(flight);
 }
 
 void Observers::deliverNow(const Departure& departure)
 {
-  for (Observer* observer : of_departures_)
+  for (const std::unique_ptr<Observer>& observer : added_)
     observer->left(departure);
+  const double time = system_.epoch().start + departure.time;
+  if (kept_length_ > 0.0)
+    exits_.emplace_back(time, departure);
+  while (!exits_.empty() && exits_.front().first <= time - kept_length_)
+    exits_.pop_front();
+  if (!on_exit_)
+    return;
+  const Disk& disk = system_.disk(departure.slot);  // which stays as it was when it left
+  on_exit_({time, system_.id(departure.slot), departure.species, disk.radius, departure.mass, departure.exit,
+            disk.position.x()});
 }
 
 void Observers::deliver()
@@ -128,64 +142,38 @@ void Observers::deliver()
   pending_.clear();
 }
 
-void Observers::merge(Share&& share)
+void Observers::merge(ThreadBuffer&& share)
 {
   counts_.add(share.counts_);
   species_contacts_.add(share.species_contacts_);
   std::move(share.reports_.begin(), share.reports_.end(), std::back_inserter(pending_));
   share.reports_.clear();
-  for (const Departure& departure : share.departures_)
-    forEachStanding([&](auto& observer) { observer.left(departure); });
 }
 
-void Observers::remove(const Observer* observer)
+void Observers::noteSubscriptions()
 {
-  added_.erase(std::remove_if(added_.begin(), added_.end(),
-                              [=](const std::unique_ptr<Observer>& one) { return one.get() == observer; }),
-               added_.end());
-  sortBySubscription();
-}
-
-void Observers::sortBySubscription()
-{
-  const auto subscribers = [this](Observer::Subscription subscription)
-  {
-    std::vector<Observer*> found;
-    for (const std::unique_ptr<Observer>& observer : added_)
-      if ((observer->subscriptions() & subscription) != 0)
-        found.push_back(observer.get());
-    return found;
-  };
-  of_contacts_ = subscribers(Observer::CONTACTS);
-  of_flights_ = subscribers(Observer::FLIGHTS);
-  of_departures_ = subscribers(Observer::DEPARTURES);
-  blocks_wanted_ = !subscribers(Observer::BLOCKS).empty();
-}
-
-void Observers::observeCollisions(CollisionObserver observer)
-{
-  remove(collision_report_);
-  collision_report_ =
-      observer ? add(std::make_unique<CollisionReport>(system_, std::move(observer))) : nullptr;
-}
-
-void Observers::observeExits(ExitObserver observer)
-{
-  remove(exit_report_);
-  exit_report_ = observer ? add(std::make_unique<ExitReport>(system_, std::move(observer))) : nullptr;
-}
-
-void Observers::keepExits(double length, double time)
-{
-  remove(recent_exits_);
-  recent_exits_ = add(std::make_unique<RecentExits>(system_, length, time));
+  subscriptions_ = on_collision_ ? unsigned{Observer::CONTACTS} : 0;
+  for (const std::unique_ptr<Observer>& observer : added_)
+    subscriptions_ |= observer->subscriptions();
 }
 
 ExitWindow Observers::exitWindow(double time, double not_before) const
 {
-  if (recent_exits_ == nullptr)
-    return {time, std::vector<SpeciesBins>(species_)};
-  return recent_exits_->until(time, not_before);
+  ExitWindow window{std::max({time - kept_length_, kept_from_, not_before}),
+                    std::vector<SpeciesBins>(species_)};
+  for (auto exit = exits_.rbegin(); exit != exits_.rend() && exit->first > window.start; ++exit)
+    count(exit->second, window.bins[exit->second.species]);
+  return window;
+}
+
+const std::vector<SpeciesBins>& Observers::bins() const
+{
+  return bins_->of_species;
+}
+
+std::vector<SpeciesBins>& Observers::sizeClassBins()
+{
+  return bins_->of_size_classes;
 }
 
 std::vector<Observed> Observers::observed(double time) const

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "ratchet_sieve/core/observation.h"
 #include "state/averages.h"
-#include "state/bins.h"
 #include "state/contact_sums.h"
 #include "state/energy_watch.h"
 #include "state/thread_buffer.h"
@@ -15,7 +17,7 @@
 namespace ratchet_sieve
 {
 
-class RecentExits;
+class Bins;
 
 /// The observers of a run: the one list through which every contact, flight and departure goes, and every
 /// change of the slots and of the zero of time. Each run has the same standing observers, called without a
@@ -25,18 +27,11 @@ class Observers
 public:
   explicit Observers(const SystemState& system);
 
-  /// Of a thread, if several advance disks at the same time.
-  class Share : public ThreadBuffer
-  {
-  public:
-    explicit Share(const Observers& observers)
-        : ThreadBuffer(observers.species_, !observers.of_contacts_.empty(), !observers.of_flights_.empty())
-    {
-    }
-  };
+  /// For a thread, if several advance disks at the same time.
+  ThreadBuffer buffer() const { return {species_, wants(Observer::CONTACTS), wants(Observer::FLIGHTS)}; }
 
   /// Takes an executed contact.
-  void collided(const ContactOutcome& outcome, Share* share = nullptr)
+  void collided(const ContactOutcome& outcome, ThreadBuffer* share = nullptr)
   {
     if (share != nullptr)
       return collided(outcome, *share);
@@ -44,26 +39,25 @@ public:
     if (!outcome.closed)
       return;
     forEachStanding([&](auto& observer) { observer.collided(outcome); });
-    if (!of_contacts_.empty())
+    if (wants(Observer::CONTACTS))
       tell(outcome);
   }
 
-  void flew(const Flight& flight, Share* share = nullptr)
+  void flew(const Flight& flight, ThreadBuffer* share = nullptr)
   {
     forEachStanding([&](auto& observer) { observer.flew(flight); });
-    if (!of_flights_.empty())
+    if (wants(Observer::FLIGHTS))
       share != nullptr ? share->flew(flight) : tell(flight);
   }
 
-  void left(const Departure& departure)
+  void left(const Departure& departure, ThreadBuffer* share = nullptr)
   {
     forEachStanding([&](auto& observer) { observer.left(departure); });
-    if (!of_departures_.empty())
-      tell(departure);
+    share != nullptr ? share->left(departure) : tell(departure);
   }
 
   /// Takes what a thread has observed. What added observers are told of waits for deliver().
-  void merge(Share&& share);
+  void merge(ThreadBuffer&& share);
 
   /// The sums of all disks.
   struct DiskSums
@@ -85,25 +79,22 @@ public:
     contact_times_ = sums.contact_times;
   }
 
-  /// The time of a disk's last contact is beside its sums.
-  double contactTime(std::uint32_t slot) const { return contact_times_.of(slot); }
-  void setContactTime(std::uint32_t slot, double time) { contact_times_.set(slot, time); }
-
-  /// The sums of a disk that SIMD batches take along.
-  RowSums rowSums(std::uint32_t slot) const
+  /// The sums of one disk.
+  struct OneDisksSums
   {
-    const Trajectory& sums = trajectories_[slot];
-    const Eigen::Vector2d& impulse = impulses_.of(slot);
-    return {sums.offset, sums.translation, sums.rotation, sums.angle, impulse.x(), impulse.y()};
+    Trajectory trajectory;
+    Eigen::Vector2d impulse;
+    double contact_time;
+  };
+  OneDisksSums sumsOf(std::uint32_t slot) const
+  {
+    return {trajectories_[slot], impulses_.of(slot), contact_times_.of(slot)};
   }
-  void setRowSums(std::uint32_t slot, const RowSums& sums)
+  void restore(std::uint32_t slot, const OneDisksSums& sums)
   {
-    Trajectory& trajectory = trajectories_[slot];
-    trajectory.offset = sums.offset;
-    trajectory.translation = sums.translation;
-    trajectory.rotation = sums.rotation;
-    trajectory.angle = sums.angle;
-    impulses_.set(slot, {sums.impulse_x, sums.impulse_y});
+    trajectories_[slot] = sums.trajectory;
+    impulses_.set(slot, sums.impulse);
+    contact_times_.set(slot, sums.contact_time);
   }
 
   void prefetchSums(std::uint32_t slot) const
@@ -118,22 +109,30 @@ public:
   {
     Added* added = observer.get();
     added_.push_back(std::move(observer));
-    sortBySubscription();
+    noteSubscriptions();
     return added;
   }
-  void remove(const Observer* observer);
 
   /// Calls `observer` after each collision. An empty function removes the observer.
-  void observeCollisions(CollisionObserver observer);
-  void observeExits(ExitObserver observer);
+  void observeCollisions(CollisionObserver observer)
+  {
+    on_collision_ = std::move(observer);
+    noteSubscriptions();
+  }
+  void observeExits(ExitObserver observer) { on_exit_ = std::move(observer); }
 
   /// See Simulation. @param time the present time of the run [s]
-  void keepExits(double length, double time);
+  void keepExits(double length, double time)
+  {
+    kept_length_ = length;
+    kept_from_ = time;
+    exits_.clear();
+  }
   ExitWindow exitWindow(double time, double not_before) const;
 
   /// Whether reports of contacts or flights of independent disks are kept, for delivery in the order of time:
   /// they take memory.
-  bool collects() const { return ordered_ && !(of_contacts_.empty() && of_flights_.empty()); }
+  bool collects() const { return ordered_ && wants(Observer::CONTACTS | Observer::FLIGHTS); }
 
   /// Tells added observers of what is pending, in the order of time. @pre no later contact or flight ends
   /// earlier
@@ -157,9 +156,7 @@ public:
   }
 
   /// Whether blocks of the mean series are recorded.
-  bool keepsBlocks() const { return averages_.keepsSeries() || blocks_wanted_; }
-
-  MeanSeries meanSeries(double block_time) const { return averages_.series(block_time); }
+  bool keepsBlocks() const { return averages_.keepsSeries() || wants(Observer::BLOCKS); }
 
   /// @throws StateError if the state is not of this number of slots
   void archive(StateArchive& state, std::size_t slots);
@@ -168,12 +165,14 @@ public:
   const ContactCounts& counts() const { return counts_; }
   const SpeciesContacts& speciesContacts() const { return species_contacts_; }
   const ContactTimes& contactTimes() const { return contact_times_; }
+  BaseImpulses& impulses() { return impulses_; }
   const BaseImpulses& impulses() const { return impulses_; }
   const Averages& averages() const { return averages_; }
   const EnergyWatch& energyWatch() const { return energy_watch_; }
   TrajectorySums& trajectories() { return trajectories_; }
   const TrajectorySums& trajectories() const { return trajectories_; }
-  const std::vector<SpeciesBins>& bins() const { return bins_->ofSpecies(); }
+  const std::vector<SpeciesBins>& bins() const;
+  std::vector<SpeciesBins>& sizeClassBins();
 
   /// Of a profile; empty for a sawtooth.
   FaceContacts faceContacts() const { return faces_ ? faces_->contacts() : FaceContacts(); }
@@ -209,15 +208,22 @@ private:
     forEach([&](Observer& observer) { (observer.*hook)(value); });
   }
 
-  [[gnu::noinline]] void collided(const ContactOutcome& outcome, Share& share);
+  bool wants(unsigned subscriptions) const { return (subscriptions_ & subscriptions) != 0; }
+  void noteSubscriptions();
+  [[gnu::noinline]] void collided(const ContactOutcome& outcome, ThreadBuffer& share);
 
   /// Tells the added ones of it, or keeps it until deliver().
   template <typename What>
-  [[gnu::noinline]] void tell(const What& what);
+  [[gnu::noinline]] void tell(const What& what)
+  {
+    if (ordered_)
+      pending_.emplace_back(what);
+    else
+      deliverNow(what);
+  }
   void deliverNow(const ContactOutcome& outcome);
   void deliverNow(const Flight& flight);
   void deliverNow(const Departure& departure);
-  void sortBySubscription();
 
   const SystemState& system_;
   std::size_t species_;
@@ -232,18 +238,19 @@ private:
   EnergyWatch energy_watch_;
   TrajectorySums trajectories_;
 
+  CollisionObserver on_collision_;
+  ExitObserver on_exit_;
   std::vector<std::unique_ptr<Observer>> added_;
-  std::vector<Observer*> of_contacts_;  ///< of the added ones: those who subscribe to contacts
-  std::vector<Observer*> of_flights_;
-  std::vector<Observer*> of_departures_;
-  bool blocks_wanted_ = false;
+  unsigned subscriptions_ = 0;  ///< of all added ones
   std::vector<PendingReport> pending_;
-  const Bins* bins_;  ///< the first of the added, which are told of departures in the order of time
+  Bins* bins_;  ///< the first of the added, which are told of departures in the order of time
   std::vector<const Observable*> observables_;  ///< of the added, in the order of the scene
-  const Observer* collision_report_ = nullptr;  ///< one of the added
-  const Observer* exit_report_ = nullptr;       ///< one of the added
   const FaceCounts* faces_ = nullptr;           ///< one of the added
-  const RecentExits* recent_exits_ = nullptr;   ///< one of the added
+
+  // See keepExits().
+  double kept_length_ = 0.0;                                     ///< [s]
+  double kept_from_ = -std::numeric_limits<double>::infinity();  ///< in the run's time [s]
+  std::deque<std::pair<double, Departure>> exits_;               ///< in the order of time: the run's [s]
 };
 
 }  // namespace ratchet_sieve

@@ -65,11 +65,8 @@ std::vector<std::optional<double>> granularTemperatures(const SystemState& syste
   return temperatures;
 }
 
-PeriodWatch::PeriodWatch(const SystemState& system, const CollisionCounts& collisions)
-    : system_(system),
-      counted_(collisions),
-      origin_(system.motion().drive().turns),
-      temperatures_(system.scene().species.size())
+PeriodWatch::PeriodWatch(const SystemState& system)
+    : system_(system), origin_(system.motion().drive().turns), temperatures_(system.scene().species.size())
 {
 }
 
@@ -104,7 +101,8 @@ void PeriodWatch::sample(double now)
     return;
   const double start = begun_;
   const double end = system_.epoch().start + now;
-  observer_({start, end, end - start, counted_.since(collisions_), temperatures_});
+  observer_(
+      {start, end, end - start, system_.observers().counts().collisions.since(collisions_), temperatures_});
   if (start + LEAST_SPACING > end)
     awaitPeriod(start + LEAST_SPACING - system_.epoch().start);
   else
@@ -116,7 +114,7 @@ void PeriodWatch::begin(double now)
   from_ = now;
   part_ = 1;
   begun_ = system_.epoch().start + now;
-  collisions_ = counted_;
+  collisions_ = system_.observers().counts().collisions;
   std::fill(temperatures_.begin(), temperatures_.end(), TemperatureSum());
 }
 

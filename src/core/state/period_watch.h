@@ -26,8 +26,8 @@ public:
   /// For faster drives, one period per this time is sampled [s].
   static constexpr double LEAST_SPACING = 0.02;
 
-  /// Both outlive this. @param collisions counts of the machine's run
-  PeriodWatch(const SystemState& system, const CollisionCounts& collisions);
+  /// @param system outlives this
+  explicit PeriodWatch(const SystemState& system);
 
   void observe(PeriodObserver observer, double now);
 
@@ -56,7 +56,6 @@ private:
   void begin(double now);
 
   const SystemState& system_;
-  const CollisionCounts& counted_;
   PeriodObserver observer_;
   double origin_;  ///< phase over 2 pi at which periods begin
   bool swings_ = false;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -71,8 +70,8 @@ void forEachNearPair(const SystemState& system, const std::vector<Eigen::Vector2
   for (const std::uint32_t slot : active)
     top = std::max(top, points[slot].y());
   const SizeLevels levels = cheapestLevels(system.activeRadii(), system.largestDiameter());
-  const CellShape shape(width, top, AUDIT_CELL * levels.diameters[0], points.size());
-  CellGrid grid(shape, levels, 0.0, points.size(), periodic);
+  const CellShape shape(width, top, AUDIT_CELL * levels.diameters[0], points.size(), periodic);
+  CellGrid grid(shape, levels, 0.0, points.size());
   for (const std::uint32_t slot : active)
     grid.add(slot, grid.cellAt(points[slot].x(), points[slot].y()), system.radius(slot));
   std::vector<std::uint32_t> list;
@@ -113,9 +112,9 @@ struct Poured
 
 /// Finds room for a disk of each of these species; in the order along the base. The memory of the search, as
 /// much as that of the disks, is freed before they are added.
-/// @param own radius of the disks; without it, drawn from the sizes of their species [m]
+/// @param own see pourDisks()
 std::vector<Poured> findRoom(const SystemState& system, const std::vector<std::uint32_t>& species,
-                             std::optional<double> own, const Stretch& stretch, double time, Random& random,
+                             const FedDisk* own, const Stretch& stretch, double time, Random& random,
                              const PourObserver& observer)
 {
   const SceneDefinition& scene = system.scene();
@@ -130,7 +129,8 @@ std::vector<Poured> findRoom(const SystemState& system, const std::vector<std::u
   poured.reserve(species.size());
   for (const std::uint32_t kind : species)
   {
-    const double radius = own ? *own : system.sizes(kind).draw([&random] { return random.uniform(); });
+    const double radius =
+        own != nullptr ? own->radius : system.sizes(kind).draw([&random] { return random.uniform(); });
     poured.push_back({pour.place(radius, random), kind});
     if (observer && poured.size() % DISKS_PER_LOOK == 0)
       observer(poured.size(), species.size());
@@ -275,23 +275,17 @@ std::uint32_t drawSpecies(const std::vector<SpeciesDefinition>& species, Random&
 }
 
 void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, const Stretch& stretch,
-               double time, Random& random, const PourObserver& observer)
+               double time, Random& random, const PourObserver& observer, const FedDisk* own)
 {
-  const std::vector<Poured> all = findRoom(system, species, std::nullopt, stretch, time, random, observer);
+  const std::vector<Poured> all = findRoom(system, species, own, stretch, time, random, observer);
   system.reserve(system.disks().size() + all.size());
   const FrameOfBase base = system.motion().at(time);
   for (const Poured& poured : all)
   {
-    const double mass = system.scene().species[poured.species].massOf(poured.room.radius);
+    const double mass =
+        own != nullptr ? own->mass : system.scene().species[poured.species].massOf(poured.room.radius);
     addPoured(system, poured, mass, base, time);
   }
-}
-
-void pourDisk(SystemState& system, const FedDisk& disk, const Stretch& stretch, double time, Random& random)
-{
-  const auto kind = static_cast<std::uint32_t>(disk.species);
-  const Poured poured = findRoom(system, {kind}, disk.radius, stretch, time, random, {}).front();
-  addPoured(system, poured, disk.mass, system.motion().at(time), time);
 }
 
 void placeInitialDisks(SystemState& system, double time)

@@ -60,11 +60,9 @@ std::uint32_t drawSpecies(const std::vector<SpeciesDefinition>& species, Random&
 /// Pours disks onto a stretch of the base at `time` (local to the epoch), one of each species in the list,
 /// beside and above the existing disks.
 /// @param observer see Simulation
+/// @param own radius and mass of these disks; null: of the sizes of their species
 void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, const Stretch& stretch,
-               double time, Random& random, const PourObserver& observer = {});
-
-/// Pours one disk of its own radius and mass, as pourDisks() does.
-void pourDisk(SystemState& system, const FedDisk& disk, const Stretch& stretch, double time, Random& random);
+               double time, Random& random, const PourObserver& observer = {}, const FedDisk* own = nullptr);
 
 /// Adds the disks of the scene's `initial` to an empty machine.
 /// @throws std::invalid_argument if they overlap each other or the base, or are outside; the message names

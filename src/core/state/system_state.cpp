@@ -86,7 +86,6 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, 2.0 * lattice_turn_, plan.drive && !planOf(scene).drive),
       search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
-      size_class_bins_(size_classes_.size()),
       pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), ids_),
       observers_(*this)
@@ -137,8 +136,6 @@ std::uint32_t SystemState::add(const Disk& disk, const DiskProperties& propertie
   properties_.push_back(properties);
   active_.push_back(1);
   ++active_count_;
-  if (SpeciesBins* bins = sizeClassBinsOf(disk))
-    ++bins->on_base;
   ids_.added();
   return slot;
 }
@@ -150,12 +147,6 @@ std::size_t SystemState::sizeClassOf(const Disk& disk) const
     if (size_classes_[k].species == disk.species && (found > k || disk.radius >= size_classes_[k].smallest))
       found = k;
   return found;
-}
-
-SpeciesBins* SystemState::sizeClassBinsOf(const Disk& disk)
-{
-  const std::size_t size_class = sizeClassOf(disk);
-  return size_class < size_class_bins_.size() ? &size_class_bins_[size_class] : nullptr;
 }
 
 double SystemState::startAt(double start)
@@ -192,7 +183,7 @@ bool SystemState::compact()
   return true;
 }
 
-Disk& SystemState::fly(std::uint32_t slot, double time, Observers::Share* share)
+Disk& SystemState::fly(std::uint32_t slot, double time, ThreadBuffer* share)
 {
   Disk& disk = disks_[slot];
   endFlight(slot, kinematicsAt(disk, time, scene_.gravity), time, share);
@@ -200,33 +191,21 @@ Disk& SystemState::fly(std::uint32_t slot, double time, Observers::Share* share)
   return disk;
 }
 
-void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, Observers::Share* share)
+void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* share)
 {
   if (scene_.boundary == Boundary::PERIODIC)
     return wrap(slot, to_the_right ? -1.0 : 1.0, time, share);
   const Departure departure{slot, fly(slot, time, share).species, properties_[slot].mass,
                             to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time};
   active_[slot] = 0;
-  if (share != nullptr)
-    return share->left(departure);
-  count(departure);
-  observers_.left(departure);
+  if (share == nullptr)
+    --active_count_;
+  observers_.left(departure, share);
 }
 
-void SystemState::count(const Departure& departure)
+void SystemState::merge(ThreadBuffer&& share)
 {
-  --active_count_;
-  SpeciesBins* bins = sizeClassBinsOf(disks_[departure.slot]);
-  if (bins == nullptr)
-    return;
-  --bins->on_base;
-  ++(departure.exit == Exit::RIGHT_BIN ? bins->right : bins->left);
-}
-
-void SystemState::merge(Observers::Share&& share)
-{
-  for (const Departure& departure : share.departures())
-    count(departure);
+  active_count_ -= share.departures();
   observers_.merge(std::move(share));
 }
 
@@ -250,12 +229,11 @@ void SystemState::restore(std::uint32_t slot, const DiskCopy& copy)
 {
   disks_[slot] = copy.disk;
   active_[slot] = 1;
-  observers_.setRowSums(slot, copy.sums);
-  observers_.setContactTime(slot, copy.contact_time);
+  observers_.restore(slot, copy.sums);
   collapse_watch_.windows()[slot] = copy.window;
 }
 
-void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, Observers::Share* share)
+void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* share)
 {
   Disk& disk = fly(slot, time, share);
   disk.position += image.shift;
@@ -263,7 +241,7 @@ void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, Ob
   observers_.trajectories().wrapped(slot, -image.shift.x());
 }
 
-void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time, Observers::Share* share)
+void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* share)
 {
   if (scene_.boundary != Boundary::PERIODIC || motion_.turning())
     return;
@@ -288,12 +266,12 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, properties_, active_, active_count_, ids_, size_class_bins_,
+  state(epoch_, motion_, disks_, properties_, active_, active_count_, ids_, observers_.sizeClassBins(),
         collapse_watch_);
   setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene =
-      size_class_bins_.size() == size_classes_.size() && active_.size() == count &&
+      observers_.sizeClassBins().size() == size_classes_.size() && active_.size() == count &&
       properties_.size() == count && collapse_watch_.windows().size() == count && ids_.fits(count) &&
       std::all_of(disks_.begin(), disks_.end(),
                   [this](const Disk& disk) { return disk.species < scene_.species.size(); });

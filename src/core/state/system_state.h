@@ -96,7 +96,6 @@ public:
   CollapseWatch& collapseWatch() { return collapse_watch_; }
   const Observers& observers() const { return observers_; }
   Observers& observers() { return observers_; }
-  const std::vector<SpeciesBins>& sizeClassBins() const { return size_class_bins_; }
 
   /// Prefetches the memory of an event of this disk.
   void prefetchEvent(std::uint32_t slot) const
@@ -130,7 +129,7 @@ public:
   /// Ends the disk's flight so far, at `now`, which kinematicsAt() gives for that time.
   // Inlined: a call costs 1 % of a run.
   [[gnu::always_inline]] void endFlight(std::uint32_t slot, const Kinematics& now, double time,
-                                        Observers::Share* share = nullptr)
+                                        ThreadBuffer* share = nullptr)
   {
     Disk& disk = disks_[slot];
     observers_.flew({slot, disk, time}, share);
@@ -145,7 +144,7 @@ public:
 
   /// Moves the disk to its image `shift` widths to the right, on the same flight.
   /// @param share as in Observers::collided(), here and below
-  void wrap(std::uint32_t slot, double shift, double time, Observers::Share* share = nullptr)
+  void wrap(std::uint32_t slot, double shift, double time, ThreadBuffer* share = nullptr)
   {
     moveTo(slot, image(shift, time), time, share);
   }
@@ -153,15 +152,15 @@ public:
   /// Wraps a disk on a periodic base by the number of widths that brings `s`, its position along the base,
   /// into [0, W). Does nothing while the base turns, because a disk is then wrapped only when it passes an
   /// end.
-  void wrapIntoWidth(std::uint32_t slot, double s, double time, Observers::Share* share = nullptr);
+  void wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* share = nullptr);
 
   /// The disk passes an end of the base: into the bin, or on a periodic base to its image at the other end.
-  void passEnd(std::uint32_t slot, bool to_the_right, double time, Observers::Share* share = nullptr);
+  void passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* share = nullptr);
 
   /// Takes what a thread has observed. Added observers are told of it by Observers::deliver().
-  void merge(Observers::Share&& share);
+  void merge(ThreadBuffer&& share);
 
-  /// What events without a collapse change of the disks, until their Share is taken.
+  /// What events without a collapse change of the disks, until their ThreadBuffer is merged.
   struct Snapshot
   {
     std::vector<Disk> disks;
@@ -172,18 +171,16 @@ public:
   void copyTo(Snapshot& snapshot) const;
   void restore(const Snapshot& snapshot);
 
-  /// What events change of an active disk that collides with no other, until their Share is taken.
+  /// What events change of an active disk that collides with no other, until their ThreadBuffer is merged.
   struct DiskCopy
   {
     Disk disk;
-    RowSums sums;
-    double contact_time;
+    Observers::OneDisksSums sums;
     CollapseWatch::Window window;
   };
   DiskCopy copyOf(std::uint32_t slot) const
   {
-    return {disks_[slot], observers_.rowSums(slot), observers_.contactTime(slot),
-            collapse_watch_.windows()[slot]};
+    return {disks_[slot], observers_.sumsOf(slot), collapse_watch_.windows()[slot]};
   }
   void restore(std::uint32_t slot, const DiskCopy& copy);
 
@@ -213,10 +210,8 @@ public:
 private:
   void setTimeResolution();
   void wrapAll(double time);
-  void moveTo(std::uint32_t slot, const Image& image, double time, Observers::Share* share);
-  void count(const Departure& departure);
-  SpeciesBins* sizeClassBinsOf(const Disk& disk);  ///< nullptr if its species has no sizes
-  Disk& fly(std::uint32_t slot, double time, Observers::Share* share);
+  void moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* share);
+  Disk& fly(std::uint32_t slot, double time, ThreadBuffer* share);
 
   SceneDefinition scene_;
   std::vector<Sizes> sizes_;  ///< per species
@@ -236,7 +231,6 @@ private:
   std::vector<std::uint8_t> active_;
   std::size_t active_count_ = 0;
   DiskIds ids_;
-  std::vector<SpeciesBins> size_class_bins_;
   PairScene pair_scene_;  ///< of the members above
   CollapseWatch collapse_watch_;
   Observers observers_;

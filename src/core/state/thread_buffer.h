@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -60,13 +62,13 @@ public:
   void flew(const Flight& flight) { add(PendingReport(flight)); }
   void left(const Departure& departure)
   {
-    departures_.push_back(departure);
+    ++departures_;
     add(PendingReport(departure));
   }
 
   /// What follows belongs to an event of this disk, if it is not of the disk that it is about.
   void beginEvent(std::uint32_t slot) { event_slot_ = slot; }
-  const std::vector<Departure>& departures() const { return departures_; }
+  std::size_t departures() const { return departures_; }
 
   /// Takes what was observed after its own.
   void merge(ThreadBuffer&& later)
@@ -74,7 +76,7 @@ public:
     counts_.add(later.counts_);
     species_contacts_.add(later.species_contacts_);
     std::move(later.reports_.begin(), later.reports_.end(), std::back_inserter(reports_));
-    std::move(later.departures_.begin(), later.departures_.end(), std::back_inserter(departures_));
+    departures_ += later.departures_;
   }
 
   /// Takes contacts: `outcome(k)` for k < count.
@@ -118,7 +120,7 @@ private:
   ContactCounts counts_;
   SpeciesContacts species_contacts_;
   std::vector<PendingReport> reports_;
-  std::vector<Departure> departures_;
+  std::size_t departures_ = 0;
 };
 
 }  // namespace ratchet_sieve

@@ -11,18 +11,6 @@
 namespace ratchet_sieve
 {
 
-/// The sums of one disk that grow with every flight and contact. SIMD batches take them along in columns, and
-/// belong to the observers named below (Observers::rowSums()).
-struct RowSums
-{
-  double offset;       ///< see Trajectory
-  double translation;  ///< see Trajectory
-  double rotation;     ///< see Trajectory
-  double angle;        ///< see Trajectory
-  double impulse_x;    ///< see BaseImpulses
-  double impulse_y;    ///< see BaseImpulses
-};
-
 class SystemState;
 
 /// One disk's stay in the machine: the sums over its flights. Kept after the disk has left. One cache line.
