@@ -278,7 +278,8 @@ void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, c
                double time, Random& random, const PourObserver& observer, const FedDisk* own)
 {
   const std::vector<Poured> all = findRoom(system, species, own, stretch, time, random, observer);
-  system.reserve(system.disks().size() + all.size());
+  if (all.size() > 1)  // exactly so many; for disks that are fed one by one this would copy all each time
+    system.reserve(system.disks().size() + all.size());
   const FrameOfBase base = system.motion().at(time);
   for (const Poured& poured : all)
   {
