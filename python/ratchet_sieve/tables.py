@@ -66,8 +66,8 @@ def typed(text):
 
 
 class Rows:
-    """The lines of a table as a DataFrame: those of a table of a run, of texts; or the runs of a sweep that are done, in
-    its order, with numbers and texts. What is not defined is NaN or None there, and left out here."""
+    """The lines of a table as a DataFrame: those of a table of a run, of texts; or the runs of a sweep that are done,
+    in its order, with numbers and texts. What is not defined is NaN or None there, and left out here."""
 
     def __init__(self, lines=(), path="", failed=0):
         """@param lines a DataFrame, or maps from column to value. @param failed runs that are not among these"""
@@ -97,7 +97,7 @@ class Rows:
         return sorted(self.column(key).dropna().unique(), key=lambda value: (isinstance(value, str), value))
 
     def by(self, *keys):
-        """@return map from the values of these keys, in the order of the lines, to their rows; of one key, from its value"""
+        """@return map from the values of these keys, or the value of one, to their rows; in the order of the lines"""
         if not len(self):
             return {}
         columns = [self.column(key) for key in keys]

@@ -61,7 +61,6 @@ OF_LAYERS = {
     "no pairs": [("pairs left out", {"contact.pair_collisions": False, FLOOR_KEY: SPARING_FLOOR})]}
 
 
-
 @dataclasses.dataclass
 class Scene:
     """A scene file with some keys changed. The reference of a quantity is its known value, else the exact engine's."""

@@ -114,10 +114,10 @@ def floors(groups, known):
         used += [point for point in points if floor_of(point) in shown]
         for number in numbers if points else ():
             key, unit = (f"error.{NAMES[number]}", ", %") if number in NAMES else ("speedup", "")
-            # The exact run itself is the one that others are faster than.
-            lines.append([f"{points[0].scene.title}: {number}{unit}", *(
-                known.get(f"{name}.floor_{in_key(f'{floor:g}')}.{key}", "1.0" if floor == SCENES_FLOOR else "—")
-                for floor in shown)])
+            found = {floor: known.get(f"{name}.floor_{in_key(f'{floor:g}')}.{key}", "—") for floor in shown}
+            if key == "speedup" and f"{name}.exact.cost" in known:
+                found[SCENES_FLOOR] = "1.0"  # the exact run itself, than which others are faster
+            lines.append([f"{points[0].scene.title}: {number}{unit}", *found.values()])
     return about(used) + markdown(["", *(f"{floor:g} m/s" for floor in shown)], lines)
 
 

@@ -66,7 +66,7 @@ class Commander:
         for connection in (clock, *self.publishers.values()):
             stack.callback(connection.unregister)
         processes.wait_for(lambda: self.time > 0.0 and all(publisher.get_num_connections()
-                                                               for publisher in self.publishers.values()), 'a sieve')
+                                                                for publisher in self.publishers.values()), 'a sieve')
         rospy.wait_for_service('/sieve/pour', ros_processes.TIMEOUT)
         self.pour, self.pause, self.unpause = (
             rospy.ServiceProxy(f'/sieve/{name}', kind, persistent=True)

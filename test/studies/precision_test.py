@@ -69,6 +69,12 @@ class Tables(unittest.TestCase):
 
 
 class Quoted(unittest.TestCase):
+    def test_what_is_not_known_over_the_floor_is_no_figure(self):
+        own = fig8(exact=Mean(2.0, 0.1, 10))
+        text = tables.floors({"fig8": own}, {})
+        self.assertIn("drift A", text)
+        self.assertNotIn("1.0", text)
+
     def test_settings_have_names_of_their_own(self):
         names = [tables.setting(point) for point in points.planned(["fig8"])]
         self.assertEqual(len(set(names)), len(names))

@@ -30,6 +30,7 @@ def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0), specie
     bottom = min(n for _, n in corners) - DEPTH * corners[-1][0] / base["teeth"]
     closed = in_world([*corners, (corners[-1][0], bottom), (0.0, bottom)], theta, displacement)
     axes.fill([MM * x for x, _ in closed], [MM * y for _, y in closed], facecolor=TEETH, edgecolor=GREY, linewidth=0.6)
+    columns = disks.dtype.names if isinstance(disks, np.ndarray) else disks
     kinds = np.array([str(kind) for kind in disks["species"]], dtype=str)
     xs, ys, radii = (np.array(disks[name], dtype=float) for name in ("x", "y", "radius"))
     for colour, kind in zip(COLOURS, species or dict.fromkeys(kinds)):
@@ -38,7 +39,7 @@ def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0), specie
         circles(axes, xs[own], ys[own], radii[own], facecolor=colour, edgecolor="white",
                 linewidth=0.3 if detailed else 0.0)
         axes.plot([], [], "o", color=colour, label=kind)
-        if detailed and "angle" in (getattr(getattr(disks, "dtype", None), "names", None) or disks):
+        if detailed and "angle" in columns:
             angles = np.array(disks["angle"], dtype=float)[own]
             away = DOT[0] * radii[own]
             circles(axes, xs[own] + away * np.cos(angles), ys[own] + away * np.sin(angles), DOT[1] * radii[own],

@@ -27,7 +27,7 @@ def run_program(name, draw):
 
 
 def run_of(directory):
-    """The run that the tables were made from, as a Table of one line."""
+    """The run that the tables were made from, as Rows of one line."""
     table = read_table(directory / "run.csv")
     if not len(table):
         raise Refusal(f"{table.path}: has no line below its head")
