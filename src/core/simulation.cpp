@@ -126,16 +126,10 @@ std::size_t Simulation::activeDisks() const
 std::vector<DiskState> Simulation::disks() const
 {
   std::vector<DiskState> states;
-  disks(states);
-  return states;
-}
-
-void Simulation::disks(std::vector<DiskState>& states) const
-{
-  states.clear();
   states.reserve(activeDisks());
   forEachDiskState(engine_->state(), engine_->now(),
                    [&](const DiskState& state) { states.push_back(state); });
+  return states;
 }
 
 void Simulation::forEachDisk(const std::function<void(const DiskState&)>& visit) const

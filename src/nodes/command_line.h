@@ -63,9 +63,10 @@ inline auto within(double least, double most, const char* unit)
 inline void print(const std::string& text)
 {
   const bool printed = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+  const char* reason = std::strerror(errno);
   std::clearerr(stdout);
   if (!printed)
-    failToWrite("standard output", std::strerror(errno));
+    failToWrite("standard output", reason);
 }
 
 /// Prints one error line. @return the status

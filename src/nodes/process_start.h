@@ -24,12 +24,13 @@ inline void startProcess()
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-/// Whether a signal has asked the run to end.
-inline std::atomic<bool> stop{false};
+/// Whether a signal has asked the run to end. Its handler sets it, which may not wait for a lock.
+inline std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 inline void requestStop(int)
 {
-  stop = true;
+  stop_requested = true;
 }
 
 /// Attends the signals that ask a run to end: also when its terminal is closed, except under nohup. A pipe

@@ -52,9 +52,11 @@ int runModule(const std::string& module, std::vector<std::string> arguments)
   setenv("PYTHONIOENCODING", ":surrogateescape", 1);  // paths are printed byte by byte
   pid_t child = 0;
   int status = 0;
-  errno = posix_spawn(&child, PYTHON, nullptr, nullptr, argv.data(), environ);
-  if (errno != 0 || waitpid(child, &status, 0) < 0)
-    throw std::runtime_error(module + ": cannot be run: " + std::strerror(errno));
+  int error = posix_spawn(&child, PYTHON, nullptr, nullptr, argv.data(), environ);
+  if (error == 0 && waitpid(child, &status, 0) < 0)
+    error = errno;
+  if (error != 0)
+    throw std::runtime_error(module + ": cannot be run: " + std::strerror(error));
   return status;
 }
 

@@ -23,7 +23,8 @@ std::string requireCertaintyKey(const std::string& assignment)
              : fmt::format("{}: unknown key; must be one of {}", key, fmt::join(known, ", "));
 }
 
-/// What is run. The rules of the scene check the values of all options that set its keys.
+/// What is run. The rules of the scene check the values of all options that set its keys. --set is the first:
+/// it replaces the list of assignments, the others add to it.
 void describeScene(CLI::App& app, RunArguments& arguments)
 {
   const auto setting = [&arguments](const std::string& begin)
@@ -40,8 +41,11 @@ void describeScene(CLI::App& app, RunArguments& arguments)
       ->type_name("S");
   app.add_option_function<std::vector<std::string>>(
          "--until",
-         [set = setting("accuracy.")](const std::vector<std::string>& all)
-         { std::for_each(all.begin(), all.end(), set); },
+         [&arguments](const std::vector<std::string>& all)
+         {
+           for (const std::string& assignment : all)
+             arguments.overrides.push_back("accuracy." + assignment);
+         },
          "Set accuracy.KEY, with KEY mean_vx [m/s], quality or confidence: the run ends before its duration "
          "once the results are known within these half-widths; repeatable")
       ->type_name("KEY=VALUE")

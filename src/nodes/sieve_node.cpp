@@ -50,5 +50,5 @@ int main(int argc, char** argv)
   ros::init(argc, argv, "sieve", ros::init_options::NoSigintHandler);
   const ros::NodeHandle private_node("~");
   attendSignals();
-  return runSieve(private_node, stop);
+  return runSieve(private_node, stop_requested);
 }

@@ -35,7 +35,7 @@ Simulation makeSimulation(const SceneDefinition& scene, const std::string& path)
   ProgressBar bar;
   const auto observer = [&bar](std::size_t poured, std::size_t of)
   {
-    if (stop)
+    if (stop_requested)
       throw std::runtime_error("stopped when " + std::to_string(poured) + " of " + countText(of, "disk") +
                                " were poured; nothing was written");
     bar.show(poured, of);
@@ -91,7 +91,7 @@ void requireFloorToCheck(const RunArguments& arguments, const SceneDefinition& s
 /// @return false if it was stopped
 bool checkFloor(const SceneDefinition& scene, nlohmann::ordered_json& summary)
 {
-  const nlohmann::ordered_json runs = floorCheck(scene, summary, [] { return stop.load(); });
+  const nlohmann::ordered_json runs = floorCheck(scene, summary, [] { return stop_requested.load(); });
   summary["floor_check"] = runs;
   if (runs.is_null())
     std::fputs("sieve_run: the check of contact.min_rebound_speed was stopped\n", stderr);
@@ -114,11 +114,10 @@ int run(const RunArguments& arguments)
   // long, so it comes last.
   const bool pours = arguments.resume.empty() && scene.definition.initial.empty();
   std::optional<Checkpoint> start;
-  if (!pours)
-    start =
-        arguments.resume.empty()
-            ? begin(scene.definition, arguments.scene)
-            : orRefuse<CheckpointError>([&] { return readCheckpoint(arguments.resume, scene.definition); });
+  if (!arguments.resume.empty())
+    start = orRefuse<CheckpointError>([&] { return readCheckpoint(arguments.resume, scene.definition); });
+  else if (!pours)
+    start = begin(scene.definition, arguments.scene);
   RunOutputs outputs(arguments, scene.feed_file);
   if (!arguments.checkpoint.empty())  // before the pour, which may take long
     orRefuse<OutputError>([&] { AtomicFile probe(arguments.checkpoint); });
@@ -132,7 +131,7 @@ int run(const RunArguments& arguments)
   if (!arguments.checkpoint.empty())
     saveInto(arguments.checkpoint, simulation, so_far, watchers, not_saved);
   outputs.watch(simulation, watchers);
-  watchers.stop_wanted = [] { return stop.load(); };
+  watchers.stop_wanted = [] { return stop_requested.load(); };
   watchers.save_period = arguments.checkpoint_every;
   RunOutcome outcome;
   {

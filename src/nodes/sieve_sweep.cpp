@@ -118,7 +118,7 @@ int run(const Sweep& sweep, SweepArguments& arguments)
   if (arguments.pages.isWanted())
     arguments.options.record = casePages(arguments.pages, arguments.name());
   attendSignals();
-  arguments.options.stop_wanted = [] { return stop.load(); };
+  arguments.options.stop_wanted = [] { return stop_requested.load(); };
   arguments.options.warn = warn;
   SweepOutcome outcome;
   {

@@ -171,32 +171,34 @@ void shareOut(std::size_t count, std::size_t threads,
     }
   };
   SignalWatch signals;
-  std::vector<std::future<void>> others;
+  const auto serve = [&]
+  {
+    if (signals.stopWanted())
+      stop = true;
+    return stop.load();
+  };
+  std::vector<std::future<void>> shares;
+  shares.push_back(
+      std::async(std::launch::deferred, work, serve));  // of this thread, which serves the signals
   {
     const py::gil_scoped_release let_go;
     try
     {
-      while (others.size() + 1 < threads)
-        others.push_back(std::async(std::launch::async, work, [&] { return stop.load(); }));
+      while (shares.size() < threads)
+        shares.push_back(std::async(std::launch::async, work, [&] { return stop.load(); }));
     }
     catch (const std::system_error&)
     {
       // The system provides no more; there is a warning at the end.
     }
-    // This thread serves the signals.
-    work(
-        [&]
-        {
-          if (signals.stopWanted())
-            stop = true;
-          return stop.load();
-        });
-    for (std::future<void>& other : others)
-      other.get();
+    for (const std::future<void>& share : shares)
+      share.wait();
   }
   signals.raise();
-  if (others.size() + 1 < threads)
-    warnPython(fewerThreadsText(others.size() + 1, threads));
+  for (std::future<void>& share : shares)
+    share.get();
+  if (shares.size() < threads)
+    warnPython(fewerThreadsText(shares.size(), threads));
 }
 
 /// Commands each simulation its setpoints, advances it to its time, and reads it, on several threads.

@@ -95,8 +95,9 @@ SceneDefinition mendedOf(const UnitSlip& slip, const SceneDefinition& scene)
                   if (slip.units.count(unit) > 0 && (part == "base" || !slip.of_base))
                     number *= MILLI;
                 });
-  for (SpeciesDefinition& species : mended.species)
-    species.count = slip.counts ? static_cast<int>(std::round(species.count * MILLI)) : species.count;
+  if (slip.counts)
+    for (SpeciesDefinition& species : mended.species)
+      species.count = static_cast<int>(std::round(species.count * MILLI));
   return mended;
 }
 

@@ -26,8 +26,10 @@ bool readSection(const Entry& root, const std::string& name, Part& part, const s
     return false;
   const Entry section = root.at(name);
   std::set<std::string> known = others;
-  ((known = namesOf(tables, known)), ...);
-  section.requireKeys(known, {});
+  std::set<std::string> required;
+  (known.merge(namesOf(tables)), ...);
+  (required.merge(requiredOf(tables)), ...);
+  section.requireKeys(known, required);
   (readValues(section, tables, part), ...);
   return true;
 }

@@ -91,8 +91,11 @@ public:
     if (threads_.empty())
       threads_.push_back(std::async(std::launch::deferred, [this] { serve(); }));
     for (const std::future<void>& thread : threads_)
+    {
       while (thread.wait_for(POLL_PERIOD) == std::future_status::timeout)
         look();
+      thread.wait();  // where there is no thread, the work is done here
+    }
     look();
     requireSuccess();
     return threads_.size();

@@ -146,7 +146,7 @@ class Follower final : public Observer
 public:
   explicit Follower(const SystemState& system) : system_(system) {}
 
-  unsigned subscriptions() const override { return CONTACTS | FLIGHTS | DEPARTURES; }
+  unsigned subscriptions() const override { return CONTACTS | FLIGHTS; }
 
   void collided(const ContactOutcome& outcome) override
   {

@@ -122,9 +122,6 @@ public:
   std::vector<std::optional<double>> granularTemperatures() const;
   Eigen::Vector2d baseImpulse() const;  ///< given by the base to the disks since `settle`, 0 before [N s]
 
-  /// As disks(), into a buffer that the caller reuses.
-  void disks(std::vector<DiskState>& states) const;
-
   /// Calls `visit` with each of disks(), in their order, without an array of them.
   void forEachDisk(const std::function<void(const DiskState&)>& visit) const;
 

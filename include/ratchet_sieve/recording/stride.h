@@ -38,7 +38,7 @@ public:
   }
 
 private:
-  static constexpr double LONGEST = 10.0;   ///< a light scene needs no more [s of simulated time]
+  static constexpr double LONGEST = 100.0;  ///< a light scene needs no more [s of simulated time]
   static constexpr double SHORTEST = 1e-7;  ///< lets the very heaviest scenes move on [s of simulated time]
 
   double longest_;

@@ -149,11 +149,12 @@ LegalValues legalValues(const Range& range)
   else if constexpr (std::is_same_v<T, std::vector<OutlineCorner>>)
     return {"list",
             "2 to " + std::to_string(MOST_CORNERS) + " corners [s, n], each number " + range.values()};
+  else if constexpr (std::is_same_v<T, int>)
+    return {"integer", range.values()};
+  else if constexpr (std::is_same_v<T, double>)
+    return {"number", range.values()};
   else
-    return {std::is_same_v<T, int>      ? "integer"
-            : std::is_same_v<T, double> ? "number"
-                                        : "list",
-            range.values()};
+    return {"list", range.values()};
 }
 
 template <typename Choice, typename = IfChoice<Choice>>

@@ -96,9 +96,10 @@ public:
   {
     const Cell cell = cells_[slot];
     if (nest_.empty())
-      return this->visit(cell,
-                         atOpenSeam(cell) ? Surroundings{-1, 1, -shape_.rows, shape_.rows} : beyond(entered),
-                         list, visit);
+    {
+      const Surroundings whole{-1, 1, -shape_.rows, shape_.rows};
+      return this->visit(cell, atOpenSeam(cell) ? whole : beyond(entered), list, visit);
+    }
     const std::int32_t reach = nest_.reach(levels_[slot]);
     for (int shift = -1; shift <= 1; ++shift)
     {

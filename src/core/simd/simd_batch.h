@@ -127,7 +127,7 @@ extern const BatchKernel KERNEL_OF_EIGHT_LANES;
 /// @throws std::invalid_argument if the variable has another value
 int laneLimit();
 
-/// The kernel with the most lanes that this processor can run. Results do not depend on it.
+/// The kernel with the most lanes, up to a limit, that this processor can run. Results do not depend on it.
 const BatchKernel& widestKernel(int most_lanes);
 
 }  // namespace ratchet_sieve

@@ -50,7 +50,7 @@ class MassFlow final : public Observable
 public:
   explicit MassFlow(const SystemState& system) : system_(system), flows_(system) {}
 
-  unsigned subscriptions() const override { return DEPARTURES | BLOCKS; }
+  unsigned subscriptions() const override { return BLOCKS; }
 
   void left(const Departure& departure) override
   {
@@ -126,7 +126,6 @@ class ResidenceTimes final : public Observable
 public:
   explicit ResidenceTimes(const SystemState& system) : system_(system), times_(system) {}
 
-  unsigned subscriptions() const override { return DEPARTURES; }
   void reserve(std::size_t count) override { entered_.reserve(count); }
   void entered(const Disk& disk) override { entered_.push_back(system_.epoch().start + disk.time); }
   void left(const Departure& departure) override

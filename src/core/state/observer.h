@@ -130,13 +130,13 @@ struct Compaction
 class Observer
 {
 public:
-  /// What the added observers are told of: nothing to which none of them subscribes.
+  /// What the added observers are told of only where one of them subscribes to it. All are told of
+  /// departures.
   enum Subscription : unsigned
   {
     CONTACTS = 1,
     FLIGHTS = 2,
-    DEPARTURES = 4,
-    BLOCKS = 8  ///< of the mean series
+    BLOCKS = 4  ///< of the mean series
   };
 
   Observer() = default;

@@ -31,7 +31,6 @@ public:
   {
   }
 
-  unsigned subscriptions() const override { return DEPARTURES; }
   void entered(const Disk& disk) override
   {
     ++of_species[disk.species].on_base;

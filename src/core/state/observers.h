@@ -46,14 +46,21 @@ public:
   void flew(const Flight& flight, ThreadBuffer* share = nullptr)
   {
     forEachStanding([&](auto& observer) { observer.flew(flight); });
-    if (wants(Observer::FLIGHTS))
-      share != nullptr ? share->flew(flight) : tell(flight);
+    if (!wants(Observer::FLIGHTS))
+      return;
+    if (share != nullptr)
+      share->flew(flight);
+    else
+      tell(flight);
   }
 
   void left(const Departure& departure, ThreadBuffer* share = nullptr)
   {
     forEachStanding([&](auto& observer) { observer.left(departure); });
-    share != nullptr ? share->left(departure) : tell(departure);
+    if (share != nullptr)
+      share->left(departure);
+    else
+      tell(departure);
   }
 
   /// Takes what a thread has observed. What added observers are told of waits for deliver().
@@ -241,7 +248,7 @@ private:
   CollisionObserver on_collision_;
   ExitObserver on_exit_;
   std::vector<std::unique_ptr<Observer>> added_;
-  unsigned subscriptions_ = 0;  ///< of all added ones
+  unsigned subscriptions_ = 0;  ///< of all added ones and of the callers
   std::vector<PendingReport> pending_;
   Bins* bins_;  ///< the first of the added, which are told of departures in the order of time
   std::vector<const Observable*> observables_;  ///< of the added, in the order of the scene

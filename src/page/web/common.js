@@ -44,7 +44,10 @@ function answerKey(event, actions) {
 
 /** The bytes of a text in base64. */
 function bytesOf(base64) {
-  return Uint8Array.from(atob(base64.trim()), (letter) => letter.charCodeAt(0));
+  const text = atob(base64.trim());
+  const bytes = new Uint8Array(text.length);
+  for (let k = 0; k < text.length; ++k) bytes[k] = text.charCodeAt(k);
+  return bytes;
 }
 
 async function inflated(bytes) {

@@ -150,14 +150,16 @@ class Picture {
     context.fillStyle = themeColour('--ground');
     context.fillRect(0, 0, this.view.width, this.view.height);
     if (this.followed !== null) this.centreOnFollowed(time);
-    // From here on in metres, y upwards.
-    const {scale} = this.view;
-    const origin = this.view.toPixel(0, 0);
-    context.transform(scale, 0, 0, -scale, origin.x, origin.y);
+    // From here on in metres from the middle of the view, y upwards: a canvas computes in single precision.
+    const {scale, width, height, centre} = this.view;
+    context.transform(scale, 0, 0, -scale, 0.5 * width, 0.5 * height);
+    context.save();
+    context.translate(-centre[0], -centre[1]);
     const pose = this.base.poseAt(time);
     if (this.bins.areUsed) this.drawBins(context, pose, time);
     this.drawBase(context, pose);
     if (this.followed !== null) this.drawPath(context, time);
+    context.restore();
     this.drawDisks(context, time);
   }
 
@@ -204,16 +206,20 @@ class Picture {
   drawDisks(context, time) {
     const bodies = this.base.machine.species.map(() => new Path2D());
     const marks = new Path2D();
-    this.motion.forEachAt(time, (track, x, y, angle) => {
+    const {scale, width, height, centre} = this.view;
+    this.motion.forEachAt(time, (track, worldX, worldY, angle) => {
       const radius = this.motion.radii[track];
+      const x = worldX - centre[0];
+      const y = worldY - centre[1];
+      if (Math.abs(x) > 0.5 * width / scale + radius || Math.abs(y) > 0.5 * height / scale + radius) return;
       this.addDisk(bodies[this.motion.species[track]], x, y, radius);
-      if (radius * this.view.scale < SMALLEST_OUTLINED) return;
+      if (radius * scale < SMALLEST_OUTLINED) return;
       marks.moveTo(x + 0.35 * radius * Math.cos(angle), y + 0.35 * radius * Math.sin(angle));
       marks.lineTo(x + 0.85 * radius * Math.cos(angle), y + 0.85 * radius * Math.sin(angle));
     });
     this.fillDisks(context, bodies);
     context.strokeStyle = '#ffffff';
-    context.lineWidth = 1.5 / this.view.scale;
+    context.lineWidth = 1.5 / scale;
     context.stroke(marks);
   }
 
