@@ -116,6 +116,7 @@ template <typename Element>
 std::string scalarText(const std::vector<Element>& values)
 {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const Element& value : values)
     texts.push_back(scalarText(value));
   return scalarText(texts);
