@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """Counts how many disks go over the walls of a base that is tilted to and fro, over its width and the rate of the turn.
-Prints a table."""
+Prints a table. Exit status 1 where disks go over at a calm turn, of which the node does not warn."""
+import sys
+
 import ratchet_sieve as rs
 from ratchet_sieve import origin
 from ratchet_sieve.texts import table
@@ -31,9 +33,13 @@ def over(width, rate, swing, seed):
 
 def main():
     arguments = arguments_of(__doc__, "walls")
-    lines = [[width, *(f"{sum(over(width, rate, *run) for run in RUNS)}" + " ⚠" * (rate ** 2 * width > CALM)
-                       for rate in RATES)] for width in WIDTHS]
+    lost = {(width, rate): sum(over(width, rate, *run) for run in RUNS) for width in WIDTHS for rate in RATES}
+    warned = {(width, rate) for width, rate in lost if rate ** 2 * width > CALM}
+    lines = [[width, *(f"{lost[width, rate]}" + " ⚠" * ((width, rate) in warned) for rate in RATES)]
+             for width in WIDTHS]
     publish(arguments, "walls", [f"{origin.text()}.", "", table(["W [m] \\ ω [rad/s]", *RATES], lines)])
+    if any(lost[cell] for cell in lost.keys() - warned):
+        sys.exit("disks go over the walls at a calm turn")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,5 @@
 #include "run_outputs.h"
 
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <stdexcept>

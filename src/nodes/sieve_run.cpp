@@ -3,7 +3,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "command_line.h"
 #include "ratchet_sieve/core/count_text.h"

@@ -1,7 +1,6 @@
 #include "sweep_arguments.h"
 
 #include <algorithm>
-#include <optional>
 
 #include <fmt/format.h>
 

@@ -11,7 +11,6 @@
 #include <set>
 #include <system_error>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "ratchet_sieve/core/count_text.h"

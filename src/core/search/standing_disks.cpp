@@ -53,10 +53,14 @@ StandingDisks::SizeClass& StandingDisks::classOf(double radius)
   const auto at = static_cast<std::size_t>(std::clamp(halvings, 0.0, MOST_CLASSES - 1.0));
   while (classes_.size() <= at)
   {
-    const double radius_of_class = std::ldexp(largest_radius_, -static_cast<int>(classes_.size()));
-    const double columns = columnsFor(2.0 * radius_of_class);
-    classes_.push_back({radius_of_class, width_ / columns,
-                        std::pmr::vector<Column>(static_cast<std::size_t>(columns), &memory_)});
+    SizeClass next;
+    next.radius = std::ldexp(largest_radius_, -static_cast<int>(classes_.size()));
+    const double columns = columnsFor(2.0 * next.radius);
+    next.column_width = width_ / columns;
+    next.columns.reserve(static_cast<std::size_t>(columns));
+    while (next.columns.size() < next.columns.capacity())
+      next.columns.emplace_back(memory_);
+    classes_.push_back(std::move(next));
   }
   return classes_[at];
 }
@@ -68,11 +72,27 @@ std::ptrdiff_t StandingDisks::columnAt(const SizeClass& of, double s)
   return static_cast<std::ptrdiff_t>(std::clamp(column, 0.0, static_cast<double>(of.columns.size() - 1)));
 }
 
+/// A single disk is usually near the top and is inserted in order; many disks added before the first search
+/// are sorted once.
 void StandingDisks::add(const PlacedDisk& disk)
 {
   SizeClass& of = classOf(disk.radius);
   Column& column = of.columns[static_cast<std::size_t>(columnAt(of, disk.s))];
-  column.insert(std::upper_bound(column.begin(), column.end(), disk, isLower), disk);
+  if (column.sorted < column.disks.size() || column.sorted == 0)
+  {
+    column.disks.push_back(disk);
+    return;
+  }
+  column.disks.insert(std::upper_bound(column.disks.begin(), column.disks.end(), disk, isLower), disk);
+  ++column.sorted;
+}
+
+void StandingDisks::sort(const Column& column)
+{
+  if (column.sorted == column.disks.size())
+    return;
+  std::sort(column.disks.begin(), column.disks.end(), isLower);
+  column.sorted = column.disks.size();
 }
 
 /// Calls visit(disk, shift) for the disks that a disk of this radius, between `left` and `right` and in this
@@ -98,9 +118,10 @@ void StandingDisks::visitReach(double left, double right, double radius, HeightR
     for (std::ptrdiff_t at = first; at <= last; ++at)
     {
       const Column& column = of.columns[static_cast<std::size_t>((at + count) % count)];
-      auto disk =
-          std::lower_bound(column.begin(), column.end(), PlacedDisk{0.0, heights.low - reach, 0.0}, isLower);
-      for (; disk != column.end() && disk->n <= heights.high + reach; ++disk)
+      sort(column);
+      auto disk = std::lower_bound(column.disks.begin(), column.disks.end(),
+                                   PlacedDisk{0.0, heights.low - reach, 0.0}, isLower);
+      for (; disk != column.disks.end() && disk->n <= heights.high + reach; ++disk)
         for (const double image : {-width_, 0.0, width_})
           if (periodic_ || image == 0.0)
             visit(*disk, image);

@@ -46,19 +46,26 @@ public:
   double columnWidth() const { return width_ / columnsFor(2.0 * largest_radius_); }
 
 private:
-  using Column = std::pmr::vector<PlacedDisk>;  ///< ordered by height
+  struct Column
+  {
+    explicit Column(std::pmr::memory_resource& memory) : disks(&memory) {}
+
+    mutable std::pmr::vector<PlacedDisk> disks;
+    mutable std::size_t sorted = 0;  ///< the first ones, ordered by height
+  };
 
   /// Disks between this radius and half of it.
   struct SizeClass
   {
     double radius = 0.0;
     double column_width = 0.0;  ///< at least the largest diameter [m]
-    std::pmr::vector<Column> columns;
+    std::vector<Column> columns;
   };
 
   double columnsFor(double diameter) const;
   SizeClass& classOf(double radius);
   static std::ptrdiff_t columnAt(const SizeClass& of, double s);
+  static void sort(const Column& column);
   template <typename Visit>
   void visitReach(double left, double right, double radius, HeightRange heights, Visit&& visit) const;
 
