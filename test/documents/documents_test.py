@@ -2,7 +2,7 @@
 """Runs the commands of the documents as they are written, and sees that the programs, options, files and keys
 of a scene that they name are there.
 
-Usage: documents_test.py DEVEL_SPACE [TEST...]; needs the groups base, rviz, optimise, tests and all of scripts/packages.txt.
+Usage: documents_test.py DEVEL_SPACE [Documents | PagesWithRviz]; needs the groups base, rviz, optimise, tests and all of scripts/packages.txt.
 """
 
 import re
@@ -25,9 +25,10 @@ SECTIONS = 'base|boundary|gravity|species|pairs|density|contact|pour|feed|initia
 MADE = {'controller.py', 'fig9.yaml', 'statistics.csv'}
 FRAMES = ['sieve_mount', 'sieve_base', 'sieve_world']
 OPTIONS_OF_OTHERS = {'--skip-keys'}
+WITH_RVIZ = {'node.md'}
 
 
-class Documents(unittest.TestCase):
+class InSession(unittest.TestCase):
     maxDiff = None
 
     @classmethod
@@ -38,28 +39,19 @@ class Documents(unittest.TestCase):
         cls.addClassCleanup(cls.session.close)
         cls.session.start()
 
-    def spans(self):
-        for document in DOCUMENTS:
-            for span in code_spans(document):
-                yield document.name, span
-
     # Commands that are run.
 
-    def test_commands_work_as_written(self):
-        used = set()
-        for document in DOCUMENTS:
-            self.session.here = self.session.checkout
-            for block in blocks(document):
-                with self.subTest(block.place):
-                    self.go_through(block, used)
-            self.session.end_terminals()
-        self.assertEqual(used, {*NOT_RUN, *GOES_ON, *BEFORE, *SAVED}, 'each entry of plan.py is of a command')
+    def go_through(self, document):
+        self.session.here = self.session.checkout
+        for block in blocks(document):
+            with self.subTest(block.place):
+                self.run_block(block)
+        self.session.end_terminals()
 
-    def go_through(self, block, used):
+    def run_block(self, block):
         if block.language == 'sh':
             self.session.end_terminals()
             for command in commands(block):
-                used |= {lookup(table, command) for table in (NOT_RUN, GOES_ON, BEFORE)} - {None}
                 if lookup(NOT_RUN, command):
                     self.see_what_is_named(command)
                 else:
@@ -67,7 +59,6 @@ class Documents(unittest.TestCase):
         elif block.language == 'yaml':
             start = lookup(SAVED, block.text)
             self.assertIsNotNone(start, f'{block.place}: plan.py does not say where it is saved')
-            used.add(start)
             path = self.session.checkout / SAVED[start]
             path.write_text(block.text)
             if 'scene' in yaml.safe_load(block.text):  # a sweep; a scene is run by the commands below it
@@ -79,15 +70,6 @@ class Documents(unittest.TestCase):
             self.assertEqual(block.language, 'text', block.place)
 
     # Commands that are not run.
-
-    def test_programs_and_options_are_there(self):
-        for name, span in self.spans():
-            if re.match(rf'(\./|rosrun |roslaunch |python3 -m )?(sieve_\w+ |ratchet_sieve[ .]|({FOLDERS})/)', span) and ' ' in span:
-                with self.subTest(f'{name}: {span}'):
-                    self.see_what_is_named(span)
-            elif re.fullmatch(r'sieve_[a-z]+', span):
-                with self.subTest(f'{name}: {span}'):
-                    self.assertIn(span, [*self.programs(), *FRAMES])
 
     def see_what_is_named(self, command):
         for words in simple_commands(command):
@@ -106,6 +88,73 @@ class Documents(unittest.TestCase):
                 options = {word.split('=')[0].strip('[]….') for word in words if re.match(r'\[?--[a-z]', word)}
                 known = self.options(words[0], words[1] if words[0] == 'sieve_sweep' and len(words) > 1 else '')
                 self.assertLessEqual(options, known, f'{words[0]} has no such option')
+
+    def see_file(self, name):
+        self.assertTrue(list(PACKAGE.glob(name.replace('NAME', '*'))), f'{name}: no such file')
+
+    # Existing programs, options, files and keys.
+
+    @classmethod
+    @lru_cache(maxsize=None)
+    def options(cls, program, subcommand=''):
+        if not program.startswith(('./', *FOLDERS.split('|'))):
+            program = f'{DEVEL}/lib/ratchet_sieve/{program}'
+        return cls.session.words(f'{program} {subcommand} --help')
+
+    @staticmethod
+    @lru_cache(maxsize=None)
+    def programs():
+        scripts = [str(path.relative_to(PACKAGE)) for folder in ('scripts', 'benchmark', 'studies', 'test/stability')
+                   for path in sorted((PACKAGE / folder).iterdir())
+                   if path.is_file() and re.search('--help|argparse', path.read_text()) and path.stat().st_mode & 0o100]
+        return scripts + [path.name for path in sorted((DEVEL / 'lib/ratchet_sieve').glob('sieve_*'))
+                          if not path.name.endswith('_test')]
+
+    @staticmethod
+    def launch_arguments(launch):
+        path = next(path for path in (PACKAGE / 'launch' / launch, PACKAGE / 'examples/my_feeder/launch' / launch)
+                    if path.exists())
+        return {arg.get('name') for arg in xml.etree.ElementTree.parse(path).iter('arg') if arg.get('name')}
+
+
+class PagesWithRviz(InSession):
+    def test_commands_work_as_written(self):
+        for document in DOCUMENTS:
+            if document.name in WITH_RVIZ:
+                self.go_through(document)
+
+
+class Documents(InSession):
+    def test_commands_work_as_written(self):
+        for document in DOCUMENTS:
+            if document.name not in WITH_RVIZ:
+                self.go_through(document)
+
+    def test_pages_with_rviz_are_known(self):
+        for document in DOCUMENTS:
+            opens = any('rviz:=true' in block.text for block in blocks(document))
+            self.assertEqual(opens, document.name in WITH_RVIZ, document.name)
+
+    def test_each_entry_of_the_plan_is_of_a_command(self):
+        found = [block for document in DOCUMENTS for block in blocks(document)]
+        used = {lookup(SAVED, block.text) for block in found if block.language == 'yaml'}
+        for command in (command for block in found if block.language == 'sh' for command in commands(block)):
+            used |= {lookup(table, command) for table in (NOT_RUN, GOES_ON, BEFORE)}
+        self.assertEqual(used - {None}, {*NOT_RUN, *GOES_ON, *BEFORE, *SAVED})
+
+    def spans(self):
+        for document in DOCUMENTS:
+            for span in code_spans(document):
+                yield document.name, span
+
+    def test_programs_and_options_are_there(self):
+        for name, span in self.spans():
+            if re.match(rf'(\./|rosrun |roslaunch |python3 -m )?(sieve_\w+ |ratchet_sieve[ .]|({FOLDERS})/)', span) and ' ' in span:
+                with self.subTest(f'{name}: {span}'):
+                    self.see_what_is_named(span)
+            elif re.fullmatch(r'sieve_[a-z]+', span):
+                with self.subTest(f'{name}: {span}'):
+                    self.assertIn(span, [*self.programs(), *FRAMES])
 
     def test_bare_options_are_there(self):
         known = {option for program in self.programs() for option in self.options(program)}
@@ -139,9 +188,6 @@ class Documents(unittest.TestCase):
                 elif re.fullmatch(r'[\w/]+\.(launch|yaml|py|cpp|h|msg|srv)', span) and span not in MADE:
                     self.see_file('**/' + span)
 
-    def see_file(self, name):
-        self.assertTrue(list(PACKAGE.glob(name.replace('NAME', '*'))), f'{name}: no such file')
-
     def test_keys_of_a_scene_are_known(self):
         columns = self.session.output(
             'printf "scene: config/paper_fig8.yaml\\nset: {duration: 0, settle: 0}\\n" > one.yaml\n'
@@ -157,30 +203,6 @@ class Documents(unittest.TestCase):
                         'devel/lib/ratchet_sieve/sieve_run config/paper_fig8.yaml --duration 0 --set settle=0 '
                         f"--set '{key}={value}'")
                     self.assertNotIn('unknown key', answer)
-
-    # Existing programs, options, files and keys.
-
-    @classmethod
-    @lru_cache(maxsize=None)
-    def options(cls, program, subcommand=''):
-        if not program.startswith(('./', *FOLDERS.split('|'))):
-            program = f'{DEVEL}/lib/ratchet_sieve/{program}'
-        return cls.session.words(f'{program} {subcommand} --help')
-
-    @staticmethod
-    @lru_cache(maxsize=None)
-    def programs():
-        scripts = [str(path.relative_to(PACKAGE)) for folder in ('scripts', 'benchmark', 'studies', 'test/stability')
-                   for path in sorted((PACKAGE / folder).iterdir())
-                   if path.is_file() and re.search('--help|argparse', path.read_text()) and path.stat().st_mode & 0o100]
-        return scripts + [path.name for path in sorted((DEVEL / 'lib/ratchet_sieve').glob('sieve_*'))
-                          if not path.name.endswith('_test')]
-
-    @staticmethod
-    def launch_arguments(launch):
-        path = next(path for path in (PACKAGE / 'launch' / launch, PACKAGE / 'examples/my_feeder/launch' / launch)
-                    if path.exists())
-        return {arg.get('name') for arg in xml.etree.ElementTree.parse(path).iter('arg') if arg.get('name')}
 
 
 def assignments(span):
