@@ -192,6 +192,8 @@ void exportCsv(const Sweep& sweep, const std::string& results, std::ostream& out
         value = sqlValue(builder.at(position).values[k].second);
       else if (names[k] == ARGUMENTS)
         value = argumentsOf(sweep, position);
+      else if (names[k] == "seed" && value.is_number_float())  // version 1.0 has rounded it
+        value = builder.at(position).scene.seed;
       line += (k == 0 ? "" : ",") + csvField(value);
     }
   } while (select.step());
