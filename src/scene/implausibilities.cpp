@@ -30,6 +30,10 @@ constexpr double TIME_OF_A_STEP = 3e-8;  ///< processor time for one disk, in 20
 constexpr double FARTHEST = 1.4;
 constexpr double NEAREST = 0.01;
 
+// Limits of the rebound floor: below these, drifts depend on it by less than their errors.
+constexpr double MOST_OF_DRIVE = 1.0 / 3.0;  ///< of the base's largest speed
+constexpr double MOST_RISE = 0.18;           ///< of a rebound at the floor, in smallest radii
+
 /// From the lowest to the highest point of the teeth [m].
 double relief(const BaseDefinition& base)
 {
@@ -315,6 +319,37 @@ void judgeCertainty(SceneDefinition& scene, Plausibility& is)
           "cannot be reached, because Q compares species; there must be two or more");
 }
 
+/// With two digits, and not above the value: a limit that a line names must hold.
+double roundedDown(double value)
+{
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::floor(value / digit) * digit;
+}
+
+/// The line on a rebound floor that itself drives the disks, if there is one.
+std::vector<std::string> floorLines(SceneDefinition scene)
+{
+  const double speed = driveBounds(scene.base).speed;
+  double radius = INFINITY;
+  for (const SpeciesDefinition& species : scene.species)
+    radius = std::min(radius, Sizes(species).meanRadius());  // the few smallest of many decide no drift
+  const double by_drive = speed > 0.0 ? MOST_OF_DRIVE * speed : INFINITY;
+  const double by_rise = scene.gravity > 0.0 ? std::sqrt(2.0 * scene.gravity * MOST_RISE * radius) : INFINITY;
+  double& floor = scene.contact.min_rebound_speed;
+  const Subject subject("contact.min_rebound_speed", floor, "m/s");
+  const Figure most = {roundedDown(std::min(by_drive, by_rise)), "m/s"};
+  Plausibility is(nullptr);
+  if (by_drive < by_rise)
+    is.rule("high-floor", subject, floor, by_drive,
+            "the base itself moves at # at most: slow contacts drive the disks; use at most #",
+            {{speed, "m/s"}, most});
+  else
+    is.rule("high-floor", subject, floor, by_rise,
+            "throws the smallest disks, of radius #, up by #: slow contacts drive the disks; use at most #",
+            {{radius, "m"}, {0.5 * floor * floor / scene.gravity, "m"}, most});
+  return is.lines();
+}
+
 /// @param scene is changed on the way, and is in the end as it was
 std::vector<std::string> linesOf(SceneDefinition& scene, bool with_suggestions)
 {
@@ -340,6 +375,11 @@ std::vector<std::string> implausibilities(const SceneDefinition& scene)
   if (!lines.empty())
     if (const auto slip = unitSlip(scene, isPlausible))
       return {withId(*slip, "units")};
+  // Where a value is in doubt, the limits of the floor are, too.
+  const auto doubts = [](const std::string& line) { return line.find("did you mean") != std::string::npos; };
+  if (std::none_of(lines.begin(), lines.end(), doubts))
+    for (const std::string& line : floorLines(scene))
+      lines.push_back(line);
   return lines;
 }
 
