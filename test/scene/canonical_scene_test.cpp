@@ -105,6 +105,9 @@ TEST(CanonicalScene, KeepsTheSmallestNumbers)
 /// Or 0.0 and -0.0 would be two settings, with two hashes.
 TEST(CanonicalScene, HasOneZero)
 {
+  SceneDefinition minus = good();
+  minus.base.phase = -0.0;
+  EXPECT_EQ(canonicalYaml(minus), canonicalYaml(good()));
   for (const std::string key :
        {"base.inclination=", "base.horizontal_phase=", "base.harmonics=[{multiple: 2, phase: ", "pour.speed=",
         "contact.min_rebound_speed=", "settle=", "feed.rate=", "base.profile=[[0, 0], [0.01, 0.01], [0.02, ",
