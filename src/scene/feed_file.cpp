@@ -38,7 +38,7 @@ std::vector<std::string> cellsOf(const std::string& line, char separator)
     else
       cells.back() += c;
   for (std::string& cell : cells)
-    cell = cell.erase(cell.find_last_not_of(BLANKS) + 1).erase(0, cell.find_first_not_of(BLANKS));
+    cell.erase(cell.find_last_not_of(BLANKS) + 1).erase(0, cell.find_first_not_of(BLANKS));
   return cells;
 }
 

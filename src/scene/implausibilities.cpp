@@ -319,35 +319,25 @@ void judgeCertainty(SceneDefinition& scene, Plausibility& is)
           "cannot be reached, because Q compares species; there must be two or more");
 }
 
-/// With two digits, and not above the value: a limit that a line names must hold.
-double roundedDown(double value)
+/// Of a rebound floor that itself drives the disks. The number to set has two digits and is not above the
+/// limit.
+void judgeFloor(SceneDefinition& scene, Plausibility& is)
 {
-  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return std::floor(value / digit) * digit;
-}
-
-/// The line on a rebound floor that itself drives the disks, if there is one.
-std::vector<std::string> floorLines(SceneDefinition scene)
-{
-  const double speed = driveBounds(scene.base).speed;
   double radius = INFINITY;
   for (const SpeciesDefinition& species : scene.species)
     radius = std::min(radius, Sizes(species).meanRadius());  // the few smallest of many decide no drift
+  const double speed = driveBounds(scene.base).speed;
   const double by_drive = speed > 0.0 ? MOST_OF_DRIVE * speed : INFINITY;
   const double by_rise = scene.gravity > 0.0 ? std::sqrt(2.0 * scene.gravity * MOST_RISE * radius) : INFINITY;
-  double& floor = scene.contact.min_rebound_speed;
-  const Subject subject("contact.min_rebound_speed", floor, "m/s");
-  const Figure most = {roundedDown(std::min(by_drive, by_rise)), "m/s"};
-  Plausibility is(nullptr);
-  if (by_drive < by_rise)
-    is.rule("high-floor", subject, floor, by_drive,
-            "the base itself moves at # at most: slow contacts drive the disks; use at most #",
-            {{speed, "m/s"}, most});
-  else
-    is.rule("high-floor", subject, floor, by_rise,
-            "throws the smallest disks, of radius #, up by #: slow contacts drive the disks; use at most #",
-            {{radius, "m"}, {0.5 * floor * floor / scene.gravity, "m"}, most});
-  return is.lines();
+  const double most = std::min(by_drive, by_rise);
+  const double digit = std::pow(10.0, std::floor(std::log10(most)) - 1.0);
+  is.rule("high-floor", Subject("contact.min_rebound_speed", scene.contact.min_rebound_speed, "m/s"),
+          scene.contact.min_rebound_speed, most,
+          by_drive < by_rise
+              ? "the base itself moves at # at most: slow contacts drive the disks; use at most #"
+              : "too much for disks of radius #: slow contacts drive them; use at most #",
+          {by_drive < by_rise ? Figure{speed, "m/s"} : Figure{radius, "m"},
+           {digit * std::floor(most / digit), "m/s"}});
 }
 
 /// @param scene is changed on the way, and is in the end as it was
@@ -371,16 +361,15 @@ bool isPlausible(SceneDefinition scene)
 std::vector<std::string> implausibilities(const SceneDefinition& scene)
 {
   SceneDefinition judged = scene;
-  std::vector<std::string> lines = linesOf(judged, true);
+  Plausibility is(nullptr);
+  std::vector<std::string>& lines = is.lines() = linesOf(judged, true);
   if (!lines.empty())
     if (const auto slip = unitSlip(scene, isPlausible))
       return {withId(*slip, "units")};
-  // Where a value is in doubt, the limits of the floor are, too.
-  const auto doubts = [](const std::string& line) { return line.find("did you mean") != std::string::npos; };
-  if (std::none_of(lines.begin(), lines.end(), doubts))
-    for (const std::string& line : floorLines(scene))
-      lines.push_back(line);
-  return lines;
+  // Where a value is in doubt, so are the limits of the floor.
+  if (std::none_of(lines.begin(), lines.end(), [](auto& line) { return line.find("did you") != line.npos; }))
+    judgeFloor(judged, is);
+  return is.lines();
 }
 
 }  // namespace ratchet_sieve

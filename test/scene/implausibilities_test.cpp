@@ -169,8 +169,8 @@ TEST(Implausibilities, OfAReboundFloorThatDrivesTheDisksHaveTheNumberToSet)
       "species.0.mass=1.3e-9",  "species.1.mass=1.3e-9",    "pour.drop_height=0.001"};
   EXPECT_EQ(warnings_at(teeth_of_1_mm, "0.05"),
             std::vector<std::string>{
-                "contact.min_rebound_speed = 0.05 m/s: throws the smallest disks, of radius 5e-05 m, up by "
-                "0.0001274 m: slow contacts drive the disks; use at most 0.013 m/s [high-floor]"});
+                "contact.min_rebound_speed = 0.05 m/s: too much for disks of radius 5e-05 m: slow contacts "
+                "drive them; use at most 0.013 m/s [high-floor]"});
   EXPECT_EQ(warnings_at(teeth_of_1_mm, "0.013"), std::vector<std::string>());
   std::vector<std::string> teeth_of_2_mm = {
       "base.tooth_width=0.002", "base.tooth_height=0.0006", "base.amplitude=0.0002", "base.frequency=100",
