@@ -349,7 +349,8 @@ TEST_F(SweepRunTest, KeepsEverySeedExactly)
                                           "18446744073709551615"};
   const Sweep sweep = load("seed: [7, 9007199254740993, 9223372036854775808, 18446744073709551615]\n");
   runSweep(sweep, results_, {});
-  const std::string in_table = "SELECT group_concat(seed) FROM (SELECT seed FROM cases ORDER BY rowid)";
+  const std::string in_table =
+      "SELECT group_concat(seed) FROM (SELECT seed FROM cases ORDER BY length(seed))";
   std::string all;
   for (const std::string& seed : seeds)
     all += (all.empty() ? "" : ",") + seed;
