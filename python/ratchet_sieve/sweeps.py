@@ -107,9 +107,14 @@ def _read(path: str, query: str, parameters: tuple) -> pandas.DataFrame:
     try:
         connection = sqlite3.connect(f"{file.as_uri()}?{mode}", uri=True)
         try:
-            table = pandas.read_sql_query(query, connection, params=parameters).drop(columns=["summary"])
+            table = pandas.read_sql_query(query, connection, params=parameters)
         finally:
             connection.close()
+        # SQLite has a seed of 2**63 or more as a text; version 1.0 rounded it, but for the summary's.
+        if len(table) and table["seed"].dtype.kind != "i":
+            table["seed"] = [json.loads(summary)["seed"] if summary else int(seed)
+                             for summary, seed in zip(table["summary"], table["seed"])]
+        table = table.drop(columns=["summary"])
         # pandas takes a column in which no value is defined for one of texts. The copy is in one piece: to a table of
         # many pieces pandas adds a column with a warning.
         return table.astype({name: float for name in table if table[name].isna().all() and name != "error"}).copy()

@@ -65,6 +65,11 @@ def typed(text):
         return text
 
 
+def seed_of(text):
+    """Exact: a float holds no seed beyond 2**53."""
+    return int(text) if text.isdigit() else typed(text)
+
+
 class Rows:
     """The lines of a table as a DataFrame: those of a table of a run, of texts; or the runs of a sweep that are done,
     in its order, with numbers and texts. What is not defined is NaN or None there, and left out here."""
@@ -155,7 +160,7 @@ def read_rows(path, texts=None):
     frame = pandas.DataFrame({name: column_of(texts, name, path)[done] for name in texts})
     for name in frame:
         if not name.endswith("_hash"):
-            frame[name] = frame[name].map(typed)
+            frame[name] = frame[name].map(seed_of if name == "seed" else typed)
     return Rows(frame.reset_index(drop=True), path, int((~done).sum()))
 
 

@@ -73,6 +73,8 @@ int listOnly(const Sweep& sweep, const SweepArguments& arguments)
   for (const std::string& line : cases.warnings.lines(sweep.size(), "case"))
     warn(line);
   listCases(sweep, cases, arguments.results, std::cout);
+  if (!std::cout.flush())
+    throw OutputError("the cases could not be written to standard output");
   for (const std::string& line : costLines(sweep))
     std::fprintf(stderr, "sieve_sweep: %s\n", line.c_str());
   return DONE;
@@ -131,8 +133,10 @@ int run(const Sweep& sweep, SweepArguments& arguments)
   const SweepCounts& counts = outcome.counts;
   if (outcome.stopped)
   {
-    std::fprintf(stderr, "sieve_sweep: stopped with %llu of %s to go; run the same command to continue\n",
-                 static_cast<unsigned long long>(counts.open()), countText(counts.cases, "case").c_str());
+    const std::string where = counts.cases == 0 ? "while the cases were listed: none was run"
+                                                : fmt::format("with {} of {} to go", counts.open(),
+                                                              countText(counts.cases, "case"));
+    std::fprintf(stderr, "sieve_sweep: stopped %s; run the same command to continue\n", where.c_str());
     return FAILED;
   }
   std::fputs(statusText(sweep, arguments.results).c_str(), stderr);

@@ -50,16 +50,16 @@ double timesForTrust(const SteadyMeans& means)
   return times;
 }
 
-Approach approachToMean(const Simulation& simulation, const SteadyMeans& means)
+Attainment attainmentOfMean(const Simulation& simulation, const SteadyMeans& means)
 {
-  Approach approach;
+  Attainment attainment;
   if (const std::optional<double> half_width = largestHalfWidth(simulation, means))
-    approach.ratio = *half_width / simulation.scene().accuracy.mean_vx;
-  approach.trusted = means.settled && timesForTrust(means) <= 1.0;
-  return approach;
+    attainment.ratio = *half_width / simulation.scene().accuracy.mean_vx;
+  attainment.trusted = means.settled && timesForTrust(means) <= 1.0;
+  return attainment;
 }
 
-Approach approachToQuality(const std::optional<SeparationEstimate>& separation, double wanted)
+Attainment attainmentOfQuality(const std::optional<SeparationEstimate>& separation, double wanted)
 {
   if (!separation)
     return {};
@@ -129,12 +129,12 @@ std::optional<bool> Certainty::reached() const
 std::optional<double> Certainty::ratio() const
 {
   std::optional<double> largest;
-  for (const std::optional<Approach>& approach : {to_mean_vx, to_quality})
+  for (const std::optional<Attainment>& attainment : {to_mean_vx, to_quality})
   {
-    if (approach && !approach->ratio)
+    if (attainment && !attainment->ratio)
       return std::nullopt;
-    if (approach)
-      largest = std::max(largest.value_or(0.0), *approach->ratio);
+    if (attainment)
+      largest = std::max(largest.value_or(0.0), *attainment->ratio);
   }
   return largest;
 }
@@ -151,9 +151,9 @@ Certainty certaintyOf(const Simulation& simulation)
   certainty.means = steadyMeans(series, wanted.confidence);
   certainty.separation = separationEstimate(simulation.bins(), exits, wanted.confidence);
   if (wanted.mean_vx > 0.0)
-    certainty.to_mean_vx = approachToMean(simulation, certainty.means);
+    certainty.to_mean_vx = attainmentOfMean(simulation, certainty.means);
   if (wanted.quality > 0.0)
-    certainty.to_quality = approachToQuality(certainty.separation, wanted.quality);
+    certainty.to_quality = attainmentOfQuality(certainty.separation, wanted.quality);
   return certainty;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "ratchet_sieve/core/count_text.h"
@@ -16,7 +17,17 @@ namespace
 {
 
 constexpr auto REDRAW_INTERVAL = std::chrono::milliseconds(100);
-constexpr int BAR_WIDTH = 24;  ///< [characters]
+constexpr std::size_t BAR_WIDTH = 24;      ///< [characters]
+constexpr std::size_t USUAL_COLUMNS = 80;  ///< of a terminal that does not say how many it has
+
+/// Longest line that the terminal on standard error shows without a break, after which a redrawn line would
+/// stay [characters].
+std::size_t lineWidth()
+{
+  winsize size = {};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return (known ? size.ws_col : USUAL_COLUMNS) - 1;
+}
 
 }  // namespace
 
@@ -33,19 +44,19 @@ std::string durationText(double seconds)
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
-std::string progressText(double time, double duration, const Progress& progress)
+std::string progressText(double time, double duration, const Progress& progress, std::size_t width)
 {
   const double done = duration > 0.0 ? std::min(time / duration, 1.0) : 1.0;
-  const int filled = static_cast<int>(done * BAR_WIDTH);
-  std::string text = fmt::format("[{}{}] {:5.1f} %  {:.2f} of {:g} s simulated", std::string(filled, '#'),
-                                 std::string(BAR_WIDTH - filled, '.'), 100.0 * done, time, duration);
+  std::string text = fmt::format(" {:5.1f} %  {:.2f} of {:g} s simulated", 100.0 * done, time, duration);
   if (progress.wall > 0.0)
     text += fmt::format("  {:.2f} M events/s", 1e-6 * static_cast<double>(progress.events) / progress.wall);
   if (progress.simulated > 0.0 && done < 1.0)
     text += fmt::format("  {} to go", durationText(progress.wall * (duration - time) / progress.simulated));
   if (progress.certainty_ratio)
     text += fmt::format("  error {:.2g} x the requested one", *progress.certainty_ratio);
-  return text;
+  const std::size_t bar = std::min(BAR_WIDTH, width - std::min(width, text.size() + 2));
+  const auto filled = static_cast<std::size_t>(done * static_cast<double>(bar));
+  return '[' + std::string(filled, '#') + std::string(bar - filled, '.') + ']' + text;
 }
 
 ProgressBar::ProgressBar() : visible_(isatty(STDERR_FILENO) == 1) {}
@@ -67,7 +78,7 @@ bool ProgressBar::isDue()
 
 void ProgressBar::draw(const std::string& line) const
 {
-  fmt::print(stderr, "\r{}\x1b[K", line);
+  fmt::print(stderr, "\r{}\x1b[K", line.substr(0, lineWidth()));
   std::fflush(stderr);
 }
 
@@ -96,7 +107,8 @@ void ProgressBar::show(const Simulation& simulation)
   draw(progressText(simulation.time(), scene.duration,
                     {simulation.time() - *start_time_, simulation.events() - start_events_,
                      std::chrono::duration<double>(Clock::now() - start_).count(),
-                     scene.accuracy.endsEarly() ? certaintyOf(simulation).ratio() : std::nullopt}));
+                     scene.accuracy.endsEarly() ? certaintyOf(simulation).ratio() : std::nullopt},
+                    lineWidth()));
 }
 
 }  // namespace ratchet_sieve

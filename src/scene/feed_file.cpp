@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -25,14 +24,21 @@ std::string pathOf(const Entry& feed, const std::string& path)
   return fs::exists(feed.source(), none) ? (fs::path(feed.source()).parent_path() / path).string() : path;
 }
 
-std::vector<std::string> cellsOf(std::string line)
+/// With or without quotes and blanks around each.
+std::vector<std::string> cellsOf(const std::string& line, char separator)
 {
-  if (!line.empty() && line.back() == '\r')
-    line.pop_back();
-  std::istringstream stream(line + ',');
-  std::vector<std::string> cells;
-  for (std::string cell; std::getline(stream, cell, ',');)
-    cells.push_back(cell);
+  constexpr const char* BLANKS = " \t\r";
+  std::vector<std::string> cells(1);
+  bool is_quoted = false;
+  for (const char c : line)
+    if (c == '"')
+      is_quoted = !is_quoted;
+    else if (c == separator && !is_quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  for (std::string& cell : cells)
+    cell.erase(cell.find_last_not_of(BLANKS) + 1).erase(0, cell.find_first_not_of(BLANKS));
   return cells;
 }
 
@@ -73,7 +79,9 @@ std::string forEachRow(const Entry& feed, const std::set<std::string>& columns,
   std::getline(text, line);
   if (line.compare(0, BYTE_ORDER_MARK.size(), BYTE_ORDER_MARK) == 0)
     line.erase(0, BYTE_ORDER_MARK.size());
-  const std::vector<std::string> header = cellsOf(line);
+  // As spreadsheets write it where a comma begins the decimals, which are no numbers here.
+  const char separator = line.find(',') == std::string::npos ? ';' : ',';
+  const std::vector<std::string> header = cellsOf(line, separator);
   const std::map<std::string, std::size_t> places =
       placesOf(wanted, header, Entry({}, path + ":1", "header"));
   for (std::size_t number = 2, rows = 0; std::getline(text, line); ++number)
@@ -81,7 +89,7 @@ std::string forEachRow(const Entry& feed, const std::set<std::string>& columns,
     if (line.empty() || line == "\r")
       continue;
     const std::string source = path + ":" + std::to_string(number);
-    const std::vector<std::string> cells = cellsOf(line);
+    const std::vector<std::string> cells = cellsOf(line, separator);
     if (cells.size() != header.size())
       Entry({}, source, "row").refuse("must have " + std::to_string(header.size()) + " cells, as the header");
     YAML::Node node;

@@ -30,6 +30,10 @@ constexpr double TIME_OF_A_STEP = 3e-8;  ///< processor time for one disk, in 20
 constexpr double FARTHEST = 1.4;
 constexpr double NEAREST = 0.01;
 
+// Limits of the rebound floor: below these, drifts depend on it by less than their errors.
+constexpr double MOST_OF_DRIVE = 1.0 / 3.0;  ///< of the base's largest speed
+constexpr double MOST_RISE = 0.18;           ///< of a rebound at the floor, in smallest radii
+
 /// From the lowest to the highest point of the teeth [m].
 double relief(const BaseDefinition& base)
 {
@@ -315,6 +319,27 @@ void judgeCertainty(SceneDefinition& scene, Plausibility& is)
           "cannot be reached, because Q compares species; there must be two or more");
 }
 
+/// Of a rebound floor that itself drives the disks. The number to set has two digits and is not above the
+/// limit.
+void judgeFloor(SceneDefinition& scene, Plausibility& is)
+{
+  double radius = INFINITY;
+  for (const SpeciesDefinition& species : scene.species)
+    radius = std::min(radius, Sizes(species).meanRadius());  // the few smallest of many decide no drift
+  const double speed = driveBounds(scene.base).speed;
+  const double by_drive = speed > 0.0 ? MOST_OF_DRIVE * speed : INFINITY;
+  const double by_rise = scene.gravity > 0.0 ? std::sqrt(2.0 * scene.gravity * MOST_RISE * radius) : INFINITY;
+  const double most = std::min(by_drive, by_rise);
+  const double digit = std::pow(10.0, std::floor(std::log10(most)) - 1.0);
+  is.rule("high-floor", Subject("contact.min_rebound_speed", scene.contact.min_rebound_speed, "m/s"),
+          scene.contact.min_rebound_speed, most,
+          by_drive < by_rise
+              ? "the base itself moves at # at most: slow contacts drive the disks; use at most #"
+              : "too much for disks of radius #: slow contacts drive them; use at most #",
+          {by_drive < by_rise ? Figure{speed, "m/s"} : Figure{radius, "m"},
+           {digit * std::floor(most / digit), "m/s"}});
+}
+
 /// @param scene is changed on the way, and is in the end as it was
 std::vector<std::string> linesOf(SceneDefinition& scene, bool with_suggestions)
 {
@@ -336,11 +361,15 @@ bool isPlausible(SceneDefinition scene)
 std::vector<std::string> implausibilities(const SceneDefinition& scene)
 {
   SceneDefinition judged = scene;
-  std::vector<std::string> lines = linesOf(judged, true);
+  Plausibility is(nullptr);
+  std::vector<std::string>& lines = is.lines() = linesOf(judged, true);
   if (!lines.empty())
     if (const auto slip = unitSlip(scene, isPlausible))
       return {withId(*slip, "units")};
-  return lines;
+  // Where a value is in doubt, so are the limits of the floor.
+  if (std::none_of(lines.begin(), lines.end(), [](auto& line) { return line.find("did you") != line.npos; }))
+    judgeFloor(judged, is);
+  return is.lines();
 }
 
 }  // namespace ratchet_sieve

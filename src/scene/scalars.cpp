@@ -136,7 +136,7 @@ std::string scalarText(double value)
   // 17 digits restore every double; fewer restore most, and are easier to read.
   for (int digits = 15; digits < 17; ++digits)
   {
-    std::string text = fmt::format("{:.{}g}", value, digits);
+    std::string text = fmt::format("{:.{}g}", value + 0.0, digits);  // there is one zero, as for parsed()
     if (parsed<double>(text) == value)
       return text;
   }

@@ -174,12 +174,12 @@ void setKey(YAML::Node& root, const std::string& key, const YAML::Node& value, b
 std::optional<std::string> whyUnreadable(const std::string& path)
 {
   struct stat status;
-  // Not opened: that would disturb the writer of a named pipe.
   if (stat(path.c_str(), &status) != 0)
     return errno == ENOENT || errno == ENOTDIR ? "no such file" : std::strerror(errno);
   if (S_ISDIR(status.st_mode))
     return "is a directory";
-  if (access(path.c_str(), R_OK) != 0)
+  // A named pipe is not opened: that would disturb its writer.
+  if (S_ISFIFO(status.st_mode) ? access(path.c_str(), R_OK) != 0 : !std::ifstream(path))
     return std::strerror(errno);
   return std::nullopt;
 }

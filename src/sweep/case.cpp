@@ -127,15 +127,6 @@ private:
   const CaseRunOptions& options_;
 };
 
-/// The name of this machine.
-std::string hostName()
-{
-  char name[256] = "";
-  if (gethostname(name, sizeof name - 1) != 0)
-    return "unknown";
-  return name;
-}
-
 }  // namespace
 
 CaseBuilder::CaseBuilder(const Sweep& sweep)
@@ -225,7 +216,8 @@ CaseResult resultFor(const SweepCase& sweep_case)
   result.scene_hash = sceneHash(sweep_case.scene);
   result.seed = sweep_case.scene.seed;
   result.values = sweep_case.values;
-  result.host = hostName();
+  char host[256] = "";
+  result.host = gethostname(host, sizeof host - 1) == 0 ? host : "unknown";
   return result;
 }
 

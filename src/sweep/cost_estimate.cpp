@@ -40,16 +40,11 @@ struct ShortRun
   bool fills() const { return !whole && 2.0 * left < fed(); }
 };
 
-double processorTime()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 /// @param limit of wall time. Nothing if the pour takes longer.
 std::optional<ShortRun> shortRun(const SceneDefinition& scene, Seconds limit)
 {
   const auto start = std::chrono::steady_clock::now();
-  const double cost_before = processorTime();
+  const std::clock_t processor_before = std::clock();
   RunWatchers watchers;
   watchers.stop_wanted = [=] { return std::chrono::steady_clock::now() - start > limit; };
   std::optional<Simulation> simulation = poured(scene, watchers.stop_wanted);
@@ -64,7 +59,7 @@ std::optional<ShortRun> shortRun(const SceneDefinition& scene, Seconds limit)
     run.left += static_cast<double>(bins.counted());
     run.on_base += static_cast<double>(bins.on_base);
   }
-  run.cost = processorTime() - cost_before;
+  run.cost = static_cast<double>(std::clock() - processor_before) / CLOCKS_PER_SEC;
   return run.from > 0.0 || run.whole ? std::optional(run) : std::nullopt;
 }
 

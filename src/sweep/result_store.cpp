@@ -19,10 +19,12 @@ constexpr int APPLICATION_ID = 0x73696553;
 /// Incremented with every change of the tables below.
 constexpr int FORMAT = 1;
 
+/// The seed has no type, so that SQLite keeps one of 2^63 or more as the text that it is. Version 1.0 made it
+/// an INTEGER, which rounds these: of such rows the summary, or the plan, knows the seed.
 constexpr const char* TABLES = R"(
   CREATE TABLE IF NOT EXISTS cases (
     run_hash TEXT NOT NULL, physics INTEGER NOT NULL, version TEXT NOT NULL, scene_hash TEXT NOT NULL,
-    seed INTEGER NOT NULL,
+    seed NOT NULL,
     status TEXT NOT NULL, error TEXT, wall_time REAL NOT NULL, host TEXT NOT NULL, summary TEXT,
     PRIMARY KEY (run_hash, physics));
   CREATE INDEX IF NOT EXISTS cases_by_status ON cases (run_hash, physics, status);

@@ -70,18 +70,14 @@ std::string argumentsText(const std::vector<Assignment>& assignments)
 }
 
 /// A field of CSV, in quotes where it needs them: they are those of a name in SQL.
-std::string csvField(const std::string& text)
-{
-  return text.find_first_of(",\"\r\n") == std::string::npos ? text : quotedName(text);
-}
-
 std::string csvField(const nlohmann::ordered_json& value)
 {
   if (value.is_null())
     return "";
   if (value.is_number_float())
     return fmt::format("{}", value.get<double>());
-  return value.is_string() ? csvField(value.get<std::string>()) : value.dump();
+  const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+  return text.find_first_of(",\"\r\n") == std::string::npos ? text : quotedName(text);
 }
 
 /// The column of a case's arguments, which is not in the table.
@@ -192,6 +188,8 @@ void exportCsv(const Sweep& sweep, const std::string& results, std::ostream& out
         value = sqlValue(builder.at(position).values[k].second);
       else if (names[k] == ARGUMENTS)
         value = argumentsOf(sweep, position);
+      else if (names[k] == "seed" && value.is_number_float())  // version 1.0 has rounded it
+        value = builder.at(position).scene.seed;
       line += (k == 0 ? "" : ",") + csvField(value);
     }
   } while (select.step());

@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """Checks what the include paths of a layer (cmake/Layers.cmake) leave open: that a layer uses no other library than its
-own, and that within the core no sublayer ("floor") includes one above it."""
+own, and that within the core no sublayer ("floor") includes one above it. And that no two files define one name: of two
+structs with one name a linker takes the members of either (the one definition rule)."""
 
+import collections
 import re
 import sys
 from pathlib import Path
@@ -25,6 +27,7 @@ POSIX_AND_COMPILER = {'unistd.h', 'signal.h', 'fcntl.h', 'sys', 'emmintrin.h', '
 # The core's sublayers ("floors"), folders of src/core, from the lowest up; files in no folder are above them all.
 FLOORS = ['model', 'search', 'state', 'simd', 'events']
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+TYPE = re.compile(r'(?:template <.+> )?(?:struct|class|union|enum|enum class) (?:alignas\(.+?\) )?(\w+)(?: final)?(?: : .+)?')
 
 
 def library_errors(path, known, source_root):
@@ -48,6 +51,33 @@ def floor_errors(path, core):
             yield f'{own} includes {header} of a floor above it'
 
 
+def definitions(text):
+    """The types and functions that are defined at the scope of a named namespace, in the layout of .clang-format."""
+    scopes, head = [], ''
+    for line in text.split('\n'):
+        if re.match(r'namespace\b', line):
+            scopes.append(line[len('namespace '):].split(' ')[0])
+        elif line.startswith('}  // namespace'):
+            scopes.pop()
+        elif line.startswith('{') and head and '' not in scopes and not re.match(r'static |int main\(|extern "C"', head):
+            is_type = TYPE.fullmatch(head)
+            yield '::'.join([*scopes, is_type[1] if is_type else head])
+        elif line and line[0] not in '#/{}' and line[-1] != ';' and (head or line[0] != ' '):
+            head = f'{head} {line.strip()}'.lstrip()
+            continue
+        head = ''
+
+
+def name_errors(root):
+    """Sources that are included more than once, in a namespace of each includer, are left out."""
+    places = collections.defaultdict(set)
+    for folder in ('include', 'src', 'test', 'benchmark'):
+        for path in sorted(p for p in (root / folder).rglob('*') if p.suffix in ('.h', '.cpp')):
+            for name in definitions(path.read_text()):
+                places[name].add(str(path.relative_to(root)))
+    return [f'{name}: is defined in {" and in ".join(sorted(paths))}' for name, paths in places.items() if len(paths) > 1]
+
+
 def main(root):
     """Checks the source tree `root`; returns the exit status."""
     layers = {path.name for path in (root / 'src').iterdir() if path.is_dir()}
@@ -61,6 +91,7 @@ def main(root):
                 if layer == 'core':
                     found += floor_errors(path, root / 'src/core')
                 errors += [f'{path}: {error}' for error in found]
+    errors += name_errors(root)
     print(*errors, f'{len(layers)} layers checked, {len(errors)} errors', sep='\n')
     return 1 if errors or not layers else 0
 

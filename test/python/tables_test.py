@@ -51,6 +51,12 @@ class Tables(unittest.TestCase):
         with self.assertRaisesRegex(Refusal, f"^{self.path}: boundary: open: must be a number$"):
             rows.mean("boundary")
 
+    def test_a_seed_is_exact(self):
+        text = "seed,status\n1,done\n9007199254740993,done\n18446744073709551615,done\n"
+        rows = self.read(text, read_rows)
+        self.assertEqual(rows.values("seed"), [1, 2 ** 53 + 1, 2 ** 64 - 1])
+        self.assertEqual(len(rows.where({"seed": 2 ** 53 + 1})), 1)
+
     def test_the_mean_quality_is_that_of_the_mean_separation(self):
         text = "seed,status,error,quality,separation,simulated_time\n1,done,,0.1,0.1,1\n2,done,,0.3,-0.3,1\n"
         mean = self.read(text, read_rows).mean("quality")

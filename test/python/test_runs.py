@@ -7,6 +7,7 @@ import pathlib
 import pickle
 import re
 import signal
+import sqlite3
 import subprocess
 import sys
 import threading
@@ -321,6 +322,25 @@ def test_results_are_kept_and_shared_with_sieve_sweep(scene, tmp_path):
     status = subprocess.run([program("sieve_sweep"), "status", tmp_path / "sweep.yaml", "--db", path],
                             capture_output=True, check=True, text=True)
     assert "3" in status.stdout + status.stderr
+
+
+def test_each_seed_is_exact_also_where_version_1_0_has_rounded_it(scene, tmp_path):
+    seeds = [7, 2**53 + 1, 2**63, 2**64 - 1]
+    path = tmp_path / "results.db"
+    table = rs.sweep(scene.replace(duration=0.0, settle=0.0), seeds=seeds, results=path, progress=False)
+    assert table["seed"].tolist() == seeds
+    with sqlite3.connect(path) as connection:
+        connection.execute("UPDATE cases SET seed = CAST(seed AS REAL) WHERE typeof(seed) = 'text'")
+    connection.close()
+    assert sorted(rs.read_sweep(path)["seed"]) == seeds
+    again = rs.sweep(scene.replace(duration=0.0, settle=0.0), seeds=seeds, results=path, progress=False)
+    assert again["seed"].tolist() == seeds and again["wall_time"].tolist() == table["wall_time"].tolist()
+
+
+def test_there_is_one_zero(scene):
+    level, minus = (scene.replace({"base.inclination": zero}) for zero in (0.0, -0.0))
+    assert minus.hash == level.hash and minus.yaml == level.yaml
+    assert len(rs.sweep(level.replace(duration=0.2), {"base.inclination": [-0.0, 0.0]}, seeds=2, progress=False)) == 2
 
 
 def test_a_locale_with_a_decimal_comma_changes_no_number(scene, tmp_path, request):

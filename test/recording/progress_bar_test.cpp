@@ -1,6 +1,11 @@
 #include "ratchet_sieve/recording/progress_bar.h"
 
+#include <cstdlib>
+
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 namespace ratchet_sieve
 {
@@ -29,6 +34,34 @@ TEST(ProgressText, SaysHowFarHowFastAndHowLongYet)
       << "of a resumed run";
   EXPECT_EQ(progressText(0.0, 100.0, {}), "[........................]   0.0 %  0.00 of 100 s simulated");
   EXPECT_EQ(progressText(0.0, 0.0, {}), "[########################] 100.0 %  0.00 of 0 s simulated");
+}
+
+TEST(ProgressText, HasABarOfWhatIsLeftOfTheWidth)
+{
+  const Progress progress = {25.0, 3000000, 2.0};
+  const std::string figures = "  25.0 %  25.00 of 100 s simulated  1.50 M events/s  0:06 to go";
+  EXPECT_EQ(progressText(25.0, 100.0, progress, 79), "[###...........]" + figures);
+  EXPECT_EQ(progressText(25.0, 100.0, progress, 79).size(), 79u);
+  EXPECT_EQ(progressText(25.0, 100.0, progress, 10), "[]" + figures);
+}
+
+/// A terminal breaks a longer line, and each redraw leaves a part of it behind.
+TEST(ProgressBar, FitsItsTerminal)
+{
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  ASSERT_TRUE(grantpt(terminal) == 0 && unlockpt(terminal) == 0);
+  const int screen = open(ptsname(terminal), O_RDWR | O_NOCTTY);
+  const winsize size = {24, 40, 0, 0};
+  ASSERT_EQ(ioctl(screen, TIOCSWINSZ, &size), 0);
+  const int errors = dup(STDERR_FILENO);
+  dup2(screen, STDERR_FILENO);
+  ProgressBar().show(std::string(100, 'x'));
+  dup2(errors, STDERR_FILENO);
+  char text[200] = "";
+  EXPECT_GT(read(terminal, text, sizeof text - 1), 0);
+  EXPECT_EQ(std::string(text), "\r" + std::string(39, 'x') + "\x1b[K\r\x1b[K");
+  for (const int descriptor : {terminal, screen, errors})
+    close(descriptor);
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
+#include <tuple>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "ratchet_sieve/scene/canonical_scene.h"
@@ -71,6 +74,42 @@ TEST_F(FeedFile, IsNotNeededToReadTheCanonicalSceneAgain)
       << text;
   EXPECT_EQ(canonicalYaml(sceneFromText(text, "again").definition), text);
   EXPECT_NE(sceneHash(scene), sceneHash(read(HEADER)));
+}
+
+/// As write.csv() and write.csv2() of R, spreadsheets and people write it.
+TEST_F(FeedFile, IsReadWithQuotesBlanksAndSemicolons)
+{
+  for (const char* rows :
+       {"\"\",\"time\",\"species\",\"radius\",\"mass\",\"side\"\n\"1\",2.5,\"B\",0.0021,0.003,\"left\"\n",
+        "time, species, radius, mass, side\r\n2.5, B, 0.0021, 0.003, left\r\n",
+        "time;species;radius;mass;side\n2.5;B;0.0021;0.003;left\n",
+        "\"note, or \"\"none\"\"\",\"time\",species,radius,mass,side\n\"a, "
+        "b\",\"2.5\",B,0.0021,0.003,left\n"})
+  {
+    const SceneDefinition scene = read(rows, "{file: runs/exits.csv, side: left}");
+    ASSERT_EQ(scene.feed.disks.size(), 1u) << rows;
+    const FedDisk& disk = scene.feed.disks[0];
+    EXPECT_EQ(std::tie(disk.time, disk.species, disk.radius, disk.mass),
+              std::make_tuple(2.5, std::size_t{1}, 0.0021, 0.003))
+        << rows;
+  }
+  EXPECT_EQ(refusal("\"time\";\"species\";\"radius\";\"mass\"\n2,5;\"B\";0,0021;0,003\n"),
+            "runs/exits.csv:2: time = 2,5: must be a number from 0 to 1000000000 s");
+}
+
+/// Nothing is wrong with what is in the file.
+TEST_F(FeedFile, IsRefusedWithTheReasonWhereItCannotBeOpened)
+{
+  read(HEADER);
+  const std::string path = folder_ / "runs/exits.csv";
+  EXPECT_EQ(whyUnreadable(path), std::nullopt);
+  rlimit limit;
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &limit), 0);
+  const rlimit none = {0, limit.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  const std::optional<std::string> why = whyUnreadable(path);
+  setrlimit(RLIMIT_NOFILE, &limit);
+  EXPECT_EQ(why, "Too many open files");
 }
 
 TEST_F(FeedFile, GivesTheRowsOfItsSideAlone)

@@ -49,7 +49,9 @@ const std::vector<Mistake>& mistakes()
       {{"feed.rate=10", "base.frequency=30"}, {}},
       {{"base.frequency=10"},
        {"the drive's peak acceleration downwards, 7.896 m/s^2, is 0.8049 times gravity; below 1 it throws no "
-        "disk up, and disks that are poured or fed pile up [no-lift]"}},
+        "disk up, and disks that are poured or fed pile up [no-lift]",
+        "contact.min_rebound_speed = 0.05 m/s: the base itself moves at 0.1257 m/s at most: slow contacts "
+        "drive the disks; use at most 0.041 m/s [high-floor]"}},
       {{"base.frequency=10", "base.harmonics=[{multiple: 2, amplitude: 0.0003}]"}, {}},
       {{"accuracy.step=0.001"},
        {"accuracy.step = 0.001 s: has no effect, because accuracy.method is events [unused-step]"}},
@@ -151,6 +153,34 @@ TEST(Implausibilities, OfEachMistakeAreItsFigureAndWhatWasMeant)
     SCOPED_TRACE(mistake.overrides.front());
     EXPECT_EQ(loadSceneFile(configFile("paper_fig8.yaml"), mistake.overrides).warnings, mistake.lines);
   }
+}
+
+/// Small machines at the default floor, whose drifts depend on it. The number that is named is low enough.
+TEST(Implausibilities, OfAReboundFloorThatDrivesTheDisksHaveTheNumberToSet)
+{
+  const auto warnings_at = [](std::vector<std::string> machine, const std::string& floor)
+  {
+    machine.push_back("contact.min_rebound_speed=" + floor);
+    return loadSceneFile(configFile("paper_fig8.yaml"), machine).warnings;
+  };
+  const std::vector<std::string> teeth_of_1_mm = {
+      "base.tooth_width=0.001", "base.tooth_height=0.0003", "base.amplitude=45e-6",
+      "base.frequency=150",     "species.0.radius=50e-6",   "species.1.radius=50e-6",
+      "species.0.mass=1.3e-9",  "species.1.mass=1.3e-9",    "pour.drop_height=0.001"};
+  EXPECT_EQ(warnings_at(teeth_of_1_mm, "0.05"),
+            std::vector<std::string>{
+                "contact.min_rebound_speed = 0.05 m/s: too much for disks of radius 5e-05 m: slow contacts "
+                "drive them; use at most 0.013 m/s [high-floor]"});
+  EXPECT_EQ(warnings_at(teeth_of_1_mm, "0.013"), std::vector<std::string>());
+  std::vector<std::string> teeth_of_2_mm = {
+      "base.tooth_width=0.002", "base.tooth_height=0.0006", "base.amplitude=0.0002", "base.frequency=100",
+      "species.0.radius=1e-4",  "species.1.radius=2e-4",    "species.0.mass=1e-8",   "species.1.mass=1e-8"};
+  EXPECT_EQ(warnings_at(teeth_of_2_mm, "0.05").size(), 1u);
+  EXPECT_EQ(warnings_at(teeth_of_2_mm, "0.018"), std::vector<std::string>());
+  teeth_of_2_mm[2] = "base.amplitude=3e-5";  // the base itself is slow
+  EXPECT_EQ(warnings_at(teeth_of_2_mm, "0.0063").size(), 1u);
+  EXPECT_EQ(warnings_at(teeth_of_2_mm, "0.0062"), std::vector<std::string>());
+  EXPECT_EQ(warnings_at({"base.amplitude=0", "gravity=0"}, "0.05"), std::vector<std::string>());
 }
 
 /// A mistake with units that goes through many keys: the factors of lengths of the base, those of disks,

@@ -182,7 +182,7 @@ TEST_F(SweepRunTest, SharesCasesWithAnotherSweepThatHasOtherKeys)
 TEST_F(SweepRunTest, CountsACaseThatIsListedTwiceOnce)
 {
   const SweepOutcome outcome =
-      runSweep(load("cases: [{gravity: 9}, {gravity: 9.0}, {base.phase: 0, gravity: 9}]\n"), results_, {});
+      runSweep(load("cases: [{gravity: 9}, {gravity: 9.0}, {base.phase: -0.0, gravity: 9}]\n"), results_, {});
   EXPECT_EQ(outcome.counts.cases, 1u);
   EXPECT_EQ(outcome.counts.done, 1u);
 }
@@ -340,6 +340,37 @@ TEST_F(SweepRunTest, ExportsWhatRfc4180Allows)
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 2);
   EXPECT_EQ(said.substr(said.size() - 2), "\r\n");
   EXPECT_NE(said.find("\r\n0.1,1,done,\"one, \"\"two\"\"\",0.2,"), std::string::npos) << said;
+}
+
+/// Also where version 1.0 has rounded them. Such a case has its result.
+TEST_F(SweepRunTest, KeepsEverySeedExactly)
+{
+  const std::vector<std::string> seeds = {"7", "9007199254740993", "9223372036854775808",
+                                          "18446744073709551615"};
+  const Sweep sweep = load("seed: [7, 9007199254740993, 9223372036854775808, 18446744073709551615]\n");
+  runSweep(sweep, results_, {});
+  const std::string in_table =
+      "SELECT group_concat(seed) FROM (SELECT seed FROM cases ORDER BY length(seed))";
+  std::string all;
+  for (const std::string& seed : seeds)
+    all += (all.empty() ? "" : ",") + seed;
+  EXPECT_EQ(text(in_table), all);
+  const auto exported = [&]
+  {
+    std::ostringstream csv;
+    exportCsv(sweep, results_, csv);
+    return csv.str();
+  };
+  const std::string csv = exported();
+  for (const std::string& seed : seeds)
+    EXPECT_NE(csv.find("\r\n" + seed + ",done,"), std::string::npos) << csv;
+  Database(results_, Database::Access::WRITE)
+      .execute("UPDATE cases SET seed = CAST(seed AS REAL) WHERE typeof(seed) = 'text'");
+  EXPECT_NE(text(in_table), all);
+  const std::string wall_times = text("SELECT group_concat(wall_time) FROM cases");
+  runSweep(sweep, results_, {});
+  EXPECT_EQ(text("SELECT group_concat(wall_time) FROM cases"), wall_times);
+  EXPECT_EQ(exported(), csv);
 }
 
 TEST_F(SweepRunTest, IsReadWhereNothingCanBeWritten)

@@ -11,7 +11,7 @@ namespace ratchet_sieve
 {
 
 /// How far the error of an estimate is from the requested one.
-struct Approach
+struct Attainment
 {
   std::optional<double>
       ratio;  ///< half-width over the requested half-width, the largest of several; nothing if one is unknown
@@ -26,8 +26,8 @@ struct Certainty
 {
   SteadyMeans means;
   std::optional<SeparationEstimate> separation;
-  std::optional<Approach> to_mean_vx;  ///< nothing if the scene does not request it
-  std::optional<Approach> to_quality;
+  std::optional<Attainment> to_mean_vx;  ///< nothing if the scene does not request it
+  std::optional<Attainment> to_quality;
 
   /// Whether all requested errors are reached; nothing if none is requested.
   std::optional<bool> reached() const;

@@ -25,11 +25,11 @@ struct Progress
 std::string durationText(double seconds);
 
 /// One line of a progress bar: simulated time, percent, events per second of wall time, upper bound of the
-/// remaining time, statistical error.
-std::string progressText(double time, double duration, const Progress& progress);
+/// remaining time, statistical error. The bar takes what these leave of the width [characters].
+std::string progressText(double time, double duration, const Progress& progress, std::size_t width = 120);
 
-/// A progress bar on standard error, if that is a terminal. Redrawn at most ten times a second; erased at the
-/// end.
+/// A progress bar on standard error, if that is a terminal, whose width cuts it. Redrawn at most ten times a
+/// second; erased at the end.
 class ProgressBar
 {
 public:
