@@ -1,7 +1,9 @@
 """The task of an environment: what is commanded, observed and rewarded, and how long."""
 from __future__ import annotations
 
+import functools
 import math
+import operator
 import warnings
 from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
 
@@ -10,7 +12,7 @@ import numpy as np
 from .. import _engine
 from ..errors import SieveWarning
 from ..goals import Goal
-from ..scene import Scene
+from ..scene import AnyScene, Scene, scene_of
 from ..values import Values
 from .readings import BASE_FIELDS, BIN_FIELDS, Readings
 
@@ -117,7 +119,7 @@ class Part(NamedTuple):
 
     elements: Sequence[str]
     bounds: Sequence[tuple[float, float]]
-    read: Callable[[Readings], np.ndarray]  # (n, ...) with one number for each element
+    read: Callable[[Readings], np.ndarray]  # (n, ...) with one number for each element; can be pickled
 
 
 class Observations:
@@ -151,11 +153,10 @@ def _parts(species: list[str], cells: int, episode: float, limits: Mapping[str, 
     """All that can be observed, by name."""
     def of_bins(name: str) -> Part:
         elements = [f"{name}.{field}.{kind}" for kind in species for field in BIN_FIELDS]
-        return Part(elements, [_COUNT] * len(elements), lambda readings: getattr(readings, name))
+        return Part(elements, [_COUNT] * len(elements), operator.attrgetter(name))
 
     def share(name: str) -> Part:
-        return Part([name, f"{name}_defined"], [_SHARE] * 2,
-                    lambda readings: np.stack([getattr(readings, name), getattr(readings, f"{name}_defined")], axis=1))
+        return Part([name, f"{name}_defined"], [_SHARE] * 2, functools.partial(_with_defined, name=name))
 
     def of_base(field: str) -> tuple[float, float]:
         quantity = field.replace("commanded_", "")
@@ -165,18 +166,22 @@ def _parts(species: list[str], cells: int, episode: float, limits: Mapping[str, 
 
     cells_of = [f"histogram.{kind}.{cell}" for kind in species for cell in range(cells)]
     return {
-        "time": Part(["time"], [(0.0, episode)], lambda readings: readings.time),
+        "time": Part(["time"], [(0.0, episode)], operator.attrgetter("time")),
         "bins": of_bins("bins"),
         "departures": of_bins("departures"),
         "quality": share("quality"),
         "processed": share("processed"),
         "mean_vx": Part([f"{field}.{kind}" for kind in species for field in ("mean_vx", "mean_vx_defined")],
-                        [_ANY, _SHARE] * len(species),
-                        lambda readings: np.stack([readings.mean_vx, readings.mean_vx_defined], axis=2)),
-        "histogram": Part(cells_of, [_COUNT] * len(cells_of), lambda readings: readings.histogram),
+                        [_ANY, _SHARE] * len(species), functools.partial(_with_defined, name="mean_vx")),
+        "histogram": Part(cells_of, [_COUNT] * len(cells_of), operator.attrgetter("histogram")),
         "base": Part([f"base.{field}" for field in BASE_FIELDS], [of_base(field) for field in BASE_FIELDS],
-                     lambda readings: readings.base),
+                     operator.attrgetter("base")),
     }
+
+
+def _with_defined(readings: Readings, name: str) -> np.ndarray:
+    """Each number followed by whether it is defined."""
+    return np.stack([getattr(readings, name), getattr(readings, f"{name}_defined")], axis=-1)
 
 
 class Task:
@@ -198,11 +203,12 @@ class Task:
     Times are taken as whole steps.
     """
 
-    def __init__(self, scene: Scene, *, actions: Sequence[str] = ("inclination",), limits: Optional[Limits] = None,
+    def __init__(self, scene: AnyScene, *, actions: Sequence[str] = ("inclination",), limits: Optional[Limits] = None,
                  slew_rates: Optional[Mapping[str, float]] = None, observations: Sequence[str] = DEFAULT_OBSERVATIONS,
                  reward: Reward = "quality", step: float = 1.0, episode: Optional[float] = None, window: float = 10.0,
                  cells: int = 10):
         """Raises ValueError, SceneError."""
+        scene = scene_of(scene)
         episode = scene["duration"] if episode is None else episode
         for name, value in (("step", step), ("episode", episode), ("window", window)):
             if not 0.0 < value < math.inf:
