@@ -49,8 +49,6 @@ class SieveVectorEnv(VectorEnv):
                  autoreset: str = "next_step", render_mode: Optional[str] = None,
                  **settings: Any):
         """@param threads 0: one per processor @param settings see Task. Raises ValueError, SceneError."""
-        if isinstance(n, bool) or not isinstance(n, (int, np.integer)) or n < 1:
-            raise ValueError(f"n = {n!r}: must be an int of 1 or more")
         if render_mode not in (None, *RENDER_MODES):
             raise ValueError(f"render_mode = {render_mode!r}: must be None or {', '.join(RENDER_MODES)}")
         self.render_mode = render_mode
@@ -62,7 +60,7 @@ class SieveVectorEnv(VectorEnv):
         if AutoresetMode is not None:
             self.metadata["autoreset_mode"] = AutoresetMode[self.autoreset.upper()]
         self.closed = False
-        self.num_envs = int(n)
+        self.num_envs = integer("n", n, 1)
         self.single_action_space = self.task.actions.space
         self.single_observation_space = self.task.observations.space
         self.action_space = _rows(self.single_action_space, self.num_envs)

@@ -10,6 +10,7 @@ from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
 import numpy as np
 
 from .. import _engine
+from ..arguments import integer, number
 from ..errors import SieveWarning
 from ..goals import Goal
 from ..scene import AnyScene, Scene, scene_of
@@ -97,21 +98,19 @@ def _limits(quantity: Mapping[str, Any], given: Optional[Sequence[float]]) -> tu
     if given is None:
         return quantity["usual"]
     least, most = quantity["legal"]
-    low, high = (float(limit) for limit in given)
+    try:
+        low, high = map(float, given)
+    except (TypeError, ValueError):
+        low = high = math.nan
     if not least <= low < high <= most:
-        raise ValueError(f"limits of {quantity['name']} = {low:g}, {high:g}: must be two, the lower one first, within "
+        raise ValueError(f"limits of {quantity['name']} = {given!r}: must be two, the lower one first, within "
                          f"{least:g} to {most:g} {quantity['unit']}")
     return low, high
 
 
 def _slew_rate(quantity: Mapping[str, Any], given: Optional[float]) -> float:
-    if given is None:
-        return quantity["slew_rate"]
-    least, most = quantity["slew_rates"]
-    if not least <= given <= most:
-        raise ValueError(f"slew rate of {quantity['name']} = {given:g}: must be {least:g} to {most:g} "
-                         f"{quantity['unit']}/s")
-    return float(given)
+    rate = quantity["slew_rate"] if given is None else given
+    return number(f"slew rate of {quantity['name']}", rate, *quantity["slew_rates"], f"{quantity['unit']}/s")
 
 
 class Part(NamedTuple):
@@ -211,14 +210,12 @@ class Task:
         scene = scene_of(scene)
         episode = scene["duration"] if episode is None else episode
         for name, value in (("step", step), ("episode", episode), ("window", window)):
-            if not 0.0 < value < math.inf:
+            if number(name, value, 0.0, unit="s") == 0.0:
                 raise ValueError(f"{name} = {value}: must be a time of more than 0 s")
-        if isinstance(cells, bool) or not isinstance(cells, (int, np.integer)) or not 1 <= cells <= 10000:
-            raise ValueError(f"cells = {cells!r}: must be an int, 1 to 10000")
         self.step = float(step)
         self.steps = max(1, round(episode / step))
         self.window_steps = max(1, round(window / step))
-        self.cells = int(cells)
+        self.cells = integer("cells", cells, 1, 10000)
         # A duration beyond the episode, so that its settings hold; nothing of the means of a run is read.
         self.scene = scene.replace({"duration": self.steps * self.step, "settle": 0.0})
         self.actions = Actions(actions, limits, slew_rates)
