@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 import operator
 import os
-from typing import Any, Mapping, Union
+from typing import Any, Mapping
 
 MOST = 2 ** 64 - 1  # of the engine's integers
 
@@ -35,13 +35,12 @@ def integer(name: str, value: Any, least: int = 0, most: int = MOST) -> int:
     return found
 
 
-def path_of(name: str, value: Any) -> Union[str, bytes]:
+def path_of(name: str, value: Any) -> str:
     """Of a file. Raises ValueError."""
     try:
-        found: Union[str, bytes] = os.fspath(value)
+        return os.fsdecode(value)
     except TypeError:
         raise ValueError(f"{name} = {value!r}: must be the path of a file") from None
-    return found
 
 
 def mapping(name: str, value: Any, example: str) -> Mapping[str, Any]:

@@ -112,7 +112,7 @@ class Recording:
         Raises ValueError without frames, OSError, ImportError without meshio.
         """
         self._require_frames()
-        file = os.fsdecode(path_of("path", path))
+        file = path_of("path", path)
         self.scene.require_other(("path", file))
         ending = os.path.splitext(file)[1]
         if ending == ".html":

@@ -54,7 +54,7 @@ def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
     threads, kept = integer("threads", threads), None if results is None else path_of("results", results)
     text = json.dumps(sweep_of, default=_plain, ensure_ascii=False)
     with tempfile.TemporaryDirectory() as directory, Progress(progress, "sweep") as bar:
-        path = os.fsdecode(kept or os.path.join(directory, "results.db"))
+        path = kept or os.path.join(directory, "results.db")
         fingerprint = _engine.sweep(
             text, "sweep", os.fsencode(path), threads,
             lambda done, failed, count: bar.show((done + failed) / max(count, 1),
@@ -92,7 +92,7 @@ def read_sweep(path: Union[str, os.PathLike]) -> pandas.DataFrame:
     """All cases of a results file: columns for the swept keys and for each number of the summary, named as in
     docs/sweeps.md (mean_vx.A, purity.left.number.A). SI units; undefined values are NaN, pandas' word for none.
     Raises ResultsError."""
-    file = os.fsdecode(path_of("path", path))
+    file = path_of("path", path)
     if not os.path.exists(file):
         raise ResultsError(f"{file}: no such file")
     return _read(file, _ALL, ())
