@@ -3,8 +3,8 @@
 A sawtooth base, inclined and shaken, drives grains sideways, and so separates kinds that no sieve could.
 
     import ratchet_sieve as rs
-    scene = rs.Scene.load("config/paper_fig8.yaml", {"base.inclination": 0.06})
-    run = rs.run(scene, frames=60)
+    scene = rs.Scene.load("config/demo.yaml", {"base.inclination": 0.19, "duration": 20})
+    run = rs.run(scene, frames=20)
     run.summary.quality, run.plot()
 
 Documentation: docs/python.md.

@@ -16,6 +16,7 @@ from std_msgs.msg import Float64
 
 from ratchet_sieve.processes import master, wait_for
 from ratchet_sieve.srv import StepSimulation
+from ratchet_sieve.tables import writing
 from ratchet_sieve.virtual_screen import VirtualScreen
 
 # How fast the base follows what is commanded [rad/s].
@@ -87,10 +88,11 @@ def shows_disks(screen):
 
 
 def write(pixels, path, *operations):
-    """Writes a picture. @param operations of convert(1)"""
+    """Writes a picture as PNG. @param operations of convert(1)"""
     height, width, _ = pixels.shape
-    subprocess.run(['convert', '-size', f'{width}x{height}', '-depth', '8', 'rgb:-', *operations, str(path)],
-                   input=pixels.tobytes(), check=True)
+    with writing(path) as part:
+        subprocess.run(['convert', '-size', f'{width}x{height}', '-depth', '8', 'rgb:-', *operations, f'png:{part}'],
+                       input=pixels.tobytes(), check=True)
 
 
 def take(options, frames):
@@ -117,10 +119,11 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         frames = Path(scratch)
         take(options, frames)
-        subprocess.run(['convert', '-delay', str(round(100.0 / options.rate)), '-loop', '0',
-                        *map(str, sorted(frames.glob('*.png'))), '+dither', '-colors', str(COLOURS),
-                        '-fuzz', '1%', '-layers', 'optimize-transparency', '+fuzz', '-layers', 'optimize',
-                        str(options.out.with_suffix('.gif'))], check=True)
+        with writing(options.out.with_suffix('.gif')) as part:
+            subprocess.run(['convert', '-delay', str(round(100.0 / options.rate)), '-loop', '0',
+                            *map(str, sorted(frames.glob('*.png'))), '+dither', '-colors', str(COLOURS),
+                            '-fuzz', '1%', '-layers', 'optimize-transparency', '+fuzz', '-layers', 'optimize',
+                            f'gif:{part}'], check=True)
 
 
 if __name__ == '__main__':

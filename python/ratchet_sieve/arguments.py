@@ -3,7 +3,10 @@ from __future__ import annotations
 
 import math
 import operator
+import os
 from typing import Any, Mapping
+
+MOST = 2 ** 64 - 1  # of the engine's integers
 
 
 def number(name: str, value: Any, least: float = -math.inf, most: float = math.inf, unit: str = "") -> float:
@@ -20,15 +23,24 @@ def number(name: str, value: Any, least: float = -math.inf, most: float = math.i
     return found
 
 
-def integer(name: str, value: Any, least: int = 0) -> int:
+def integer(name: str, value: Any, least: int = 0, most: int = MOST) -> int:
     """Raises ValueError."""
     try:
         found = operator.index(value)
     except TypeError:
         found = None
-    if found is None or found < least:
-        raise ValueError(f"{name} = {value!r}: must be an integer, {least} or more")
+    if found is None or not least <= found <= most:
+        span = f"{least} or more" if most == MOST and (found is None or found < least) else f"{least} to {most}"
+        raise ValueError(f"{name} = {value!r}: must be an integer, {span}")
     return found
+
+
+def path_of(name: str, value: Any) -> str:
+    """Of a file. Raises ValueError."""
+    try:
+        return os.fsdecode(value)
+    except TypeError:
+        raise ValueError(f"{name} = {value!r}: must be the path of a file") from None
 
 
 def mapping(name: str, value: Any, example: str) -> Mapping[str, Any]:

@@ -11,7 +11,7 @@ import webbrowser
 from typing import Any, Callable, Union
 
 from . import _engine
-from .errors import SceneError
+from .arguments import path_of
 from .places import SHARE, WORK
 from .scene import AnyScene, scene_of
 
@@ -54,15 +54,17 @@ class LivePage:
 
     def __init__(self, *scenes: AnyScene):
         """Of these scenes, or of some of config/. Raises SceneError, ValueError."""
-        chosen = [scene_of(scene) for scene in scenes or [SHARE / f"config/{name}.yaml" for name in OFFERED]]
+        self._given = [scene_of(scene) for scene in scenes or [SHARE / f"config/{name}.yaml" for name in OFFERED]]
         self._scenes: list[tuple[str, Any]] = []
-        for scene in chosen:
+        for scene in self._given:
             stem = os.path.basename(scene.source).partition(".")[0]
             taken = sum(name.partition(" (")[0] == stem for name, _ in self._scenes)
             self._scenes.append((f"{stem} ({taken + 1})" if taken else stem, scene._engine))
 
     def write(self, path: Union[str, os.PathLike]) -> None:
-        """Raises FileNotFoundError if the engine was not compiled for browsers, OSError."""
+        """Raises FileNotFoundError if the engine was not compiled for browsers, OSError, ValueError."""
+        for scene in self._given:
+            scene.require_other(("path", path_of("path", path)))
         engine = pathlib.Path(_engine.__file__).parent / "engine.wasm"
         if not engine.exists():
             raise FileNotFoundError(f"{engine} is missing: ./scripts/live compiles the engine for browsers")
@@ -95,9 +97,9 @@ def main() -> None:
         page = LivePage(*arguments.scenes)
         arguments.output.parent.mkdir(parents=True, exist_ok=True)
         page.write(arguments.output)
-    except (SceneError, OSError) as error:
+    except (ValueError, OSError) as error:
         print(f"live: {error}", file=sys.stderr)
-        sys.exit(2 if isinstance(error, SceneError) else 1)
+        sys.exit(2 if isinstance(error, ValueError) else 1)
     print(f"{arguments.output}: {arguments.output.stat().st_size / 1e6:.1f} MB, {page!r}. Open it in any browser.")
 
 

@@ -2,12 +2,14 @@
 from __future__ import annotations
 
 import pathlib
+import tempfile
 from typing import TYPE_CHECKING, Any, Sequence
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
 from .base import in_world, surface
+from .tables import write_text, writing
 
 if TYPE_CHECKING:
     from .runs import Recording
@@ -24,14 +26,18 @@ def write_pvd(recording: Recording, path: str) -> None:
     frames = recording.frames
     collection = pathlib.Path(path)
     folder = collection.with_name(collection.stem + "_frames")
-    folder.mkdir(exist_ok=True)
-    for old in (*folder.glob("disks_*.vtu"), *folder.glob("base_*.vtu")):
-        old.unlink()
-    for k, (disks, base) in enumerate(zip(frames.disks, frames.base)):
-        for series, parts in (("disks", _disks(disks)), ("base", _base(recording.scene, base))):
-            meshio.write(folder / f"{series}_{k:06}.vtu", meshio.Mesh(**parts))
-    _list(collection, folder.name, "disks", frames.time)
-    _list(collection.with_name(collection.stem + "_base.pvd"), folder.name, "base", frames.time)
+    of_base = collection.with_name(collection.stem + "_base.pvd")
+    with writing(path) as part, tempfile.TemporaryDirectory(".sieve_part", dir=collection.parent) as scratch:
+        for k, (disks, base) in enumerate(zip(frames.disks, frames.base)):
+            for series, parts in (("disks", _disks(disks)), ("base", _base(recording.scene, base))):
+                meshio.write(pathlib.Path(scratch, f"{series}_{k:06}.vtu"), meshio.Mesh(**parts))
+        folder.mkdir(exist_ok=True)
+        for old in (*folder.glob("disks_*.vtu"), *folder.glob("base_*.vtu")):
+            old.unlink()
+        for new in pathlib.Path(scratch).iterdir():
+            new.rename(folder / new.name)
+        write_text(of_base, _list(folder.name, "base", frames.time))
+        part.write_text(_list(folder.name, "disks", frames.time), encoding="utf-8")
 
 
 def _disks(disks: np.ndarray) -> dict[str, Any]:
@@ -57,9 +63,9 @@ def _in_space(x: Sequence[float], y: Sequence[float]) -> np.ndarray:
     return np.column_stack([x, y, np.zeros(len(x))])
 
 
-def _list(collection: pathlib.Path, folder: str, series: str, times: np.ndarray) -> None:
+def _list(folder: str, series: str, times: np.ndarray) -> str:
     """The frames of a series, with their times."""
     files = (quoteattr(f"{folder}/{series}_{k:06}.vtu") for k in range(len(times)))
     sets = "".join(f'<DataSet timestep="{float(time)!r}" file={file}/>\n' for time, file in zip(times, files))
-    collection.write_text('<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0">\n<Collection>\n'
-                          f"{sets}</Collection>\n</VTKFile>\n", encoding="utf-8")
+    return ('<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0">\n<Collection>\n'
+            f"{sets}</Collection>\n</VTKFile>\n")

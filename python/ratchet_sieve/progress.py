@@ -1,10 +1,12 @@
 """A line that shows how far a long call has come."""
 from __future__ import annotations
 
+import os
 import sys
 import time
 
-WIDTH = 30  # of the bar, in characters
+WIDTH = 30    # of the bar, in characters
+COLUMNS = 80  # of a terminal that does not say how many it has
 
 
 class Progress:
@@ -26,8 +28,18 @@ class Progress:
         """@param part from 0 to 1"""
         if not self._shown:
             return
-        filled = round(WIDTH * min(max(part, 0.0), 1.0))
         elapsed = time.monotonic() - self._begin
-        left = f", {elapsed * (1.0 - part) / part:.0f} s left" if part > 0.01 else ""
-        print(f"\r{self._what} [{'#' * filled}{' ' * (WIDTH - filled)}] {text}{left}\033[K", end="",
-              file=sys.stderr, flush=True)
+        if part > 0.01:
+            text += f", {elapsed * (1.0 - part) / part:.0f} s left"
+        room = _columns() - 1  # a longer line would break, and stay when it is drawn anew
+        bar = min(WIDTH, max(0, room - len(f"{self._what} [] {text}")))
+        filled = round(bar * min(max(part, 0.0), 1.0))
+        line = f"{self._what} [{'#' * filled}{' ' * (bar - filled)}] {text}"[:room]
+        print(f"\r{line}\033[K", end="", file=sys.stderr, flush=True)
+
+
+def _columns() -> int:
+    try:
+        return os.get_terminal_size(sys.stderr.fileno()).columns or COLUMNS
+    except (OSError, ValueError):  # of a notebook
+        return COLUMNS

@@ -8,7 +8,7 @@ from typing import Any, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from . import _engine
-from .arguments import integer, mapping, number
+from .arguments import integer, mapping, number, path_of
 from .errors import warn
 from .pages import show_page
 from .progress import Progress
@@ -112,7 +112,8 @@ class Recording:
         Raises ValueError without frames, OSError, ImportError without meshio.
         """
         self._require_frames()
-        file = os.fspath(path)
+        file = path_of("path", path)
+        self.scene.require_other(("path", file))
         ending = os.path.splitext(file)[1]
         if ending == ".html":
             _engine.write_page(file, os.path.basename(self.title), self.scene._engine, self.frames._tuples(),
@@ -158,6 +159,7 @@ class Run(Recording):
     def separation(self, since: float = 0.0, until: float = math.inf) -> Optional[float]:
         """s of the disks that left after `since` until `until` [s], as the summary has it of all: above 0 the first
         species of the scene (of more than two, of the best pair) left on the left. None until one of each has left."""
+        since, until = number("since", since), until if until == math.inf else number("until", until)
         left = self.exits[(self.exits["time"] > since) & (self.exits["time"] <= until)].view(Exits)
         return _engine.separation([tuple(np.count_nonzero(side["species"] == name) for side in (left.left, left.right))
                                    for name in self.scene.species])
@@ -184,6 +186,8 @@ def run(scene: AnyScene, *, until: Optional[Mapping[str, float]] = None, frames:
     scene = scene_of(scene)
     rate = number("frames", frames, 0.0, 1e5, "1/s")
     threads = integer("threads", threads)
+    if not isinstance(collisions, (bool, np.bool_, int)):
+        raise ValueError(f"collisions = {collisions!r}: must be True or False")
     if until is not None:
         wanted = mapping("until", until, '{"mean_vx": 0.001}')
         scene = scene.replace({f"accuracy.{key}": value for key, value in wanted.items()})
@@ -194,7 +198,7 @@ def run(scene: AnyScene, *, until: Optional[Mapping[str, float]] = None, frames:
     duration = scene["duration"]
     with Progress(progress, "run") as bar:
         summary, lists, records, left = _engine.run(
-            simulation._engine, rate, collisions, threads,
+            simulation._engine, rate, bool(collisions), threads,
             lambda time: bar.show(time / duration if duration else 1.0, f"{time:.4g} of {duration:.4g} s"))
     for warning in summary["warnings"]:
         warn(warning)

@@ -9,6 +9,7 @@ from typing import Any, Mapping, Optional, Union
 import numpy as np
 
 from . import _engine
+from .arguments import mapping
 from .base import length, surface
 from .errors import SceneError, SieveWarning, warn
 
@@ -70,7 +71,7 @@ class Scene:
     def replace(self, overrides: Optional[Overrides] = None, **keys: Any) -> Scene:
         """The scene with other values: `replace({"base.inclination": 0.06}, seed=3)`. Raises SceneError."""
         scene = type(self).__new__(type(self))
-        scene._begin(self._text, self._assignments + _assignments({**(overrides or {}), **keys}), self.source)
+        scene._begin(self._text, self._assignments + _assignments(overrides) + _assignments(keys), self.source)
         return scene
 
     @property
@@ -126,6 +127,20 @@ class Scene:
         """What is legal but implausible, one line each."""
         return self._engine.warnings
 
+    @property
+    def feed_file(self) -> Optional[str]:
+        """The path of the file of fed disks, as seen from anywhere."""
+        file = (self.given.get("feed") or {}).get("file")
+        folder = os.path.dirname(self.source) if os.path.exists(self.source) else ""
+        return file and os.path.abspath(os.path.join(folder, file))
+
+    def require_other(self, *outputs: tuple[str, Any]) -> None:
+        """Of files to be written the arguments' names and paths, None: there is no file. Raises ValueError if one is
+        the scene's own, its feed.file or another one of them."""
+        inputs, written = ([_engine.NamedFile(name, os.fspath(path or "")) for name, path in files]
+                           for files in ((("the scene", self.source), ("feed.file", self.feed_file)), outputs))
+        _engine.require_distinct(inputs, written)
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scene) and self._engine.run_hash == other._engine.run_hash
 
@@ -162,4 +177,5 @@ def _unpickled(text: Union[str, bytes], assignments: list[str], source: str) -> 
 
 
 def _assignments(overrides: Optional[Overrides]) -> list[str]:
-    return [f"{key}={yaml_text(value)}" for key, value in (overrides or {}).items()]
+    return [f"{key}={yaml_text(value)}" for key, value in
+            mapping("overrides", {} if overrides is None else overrides, '{"base.inclination": 0.1}').items()]

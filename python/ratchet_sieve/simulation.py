@@ -6,7 +6,7 @@ from typing import Any, Optional, Union
 import numpy as np
 
 from . import _engine
-from .arguments import number
+from .arguments import integer, number
 from .errors import StateError
 from .scene import AnyScene, Scene, scene_of
 from .values import Summary, Values
@@ -74,11 +74,12 @@ class Simulation:
         """New setpoints of the base [rad], [Hz], [m], to which it moves from now on at its slew rates.
         Raises ValueError if one is not legal; none is then taken."""
         setpoints = {"inclination": inclination, "frequency": frequency, "amplitude": amplitude}
-        self._engine.command({name: float(value) for name, value in setpoints.items() if value is not None})
+        self._engine.command({name: number(name, value) for name, value in setpoints.items() if value is not None})
 
     def set_slew_rates(self, *, inclination: float = 0.1, frequency: float = 10.0, amplitude: float = 0.002) -> None:
         """How fast the base follows its setpoints [rad/s], [Hz/s], [m/s]. Raises ValueError."""
-        self._engine.set_slew_rates(inclination, frequency, amplitude)
+        rates = {"inclination": inclination, "frequency": frequency, "amplitude": amplitude}
+        self._engine.set_slew_rates(*(number(f"{name} (slew rate)", rate) for name, rate in rates.items()))
 
     def pour(self, species: Union[str, int], count: int) -> None:
         """Pours more disks of a species, by name or number, at the lowest free places; Ctrl-C cancels it. Raises
@@ -87,7 +88,7 @@ class Simulation:
             if species not in self._scene.species:
                 raise ValueError(f"there is no species {species!r}; there are {', '.join(self._scene.species)}")
             species = self._scene.species.index(species)
-        self._engine.pour(species, count)
+        self._engine.pour(integer("species", species), integer("count", count))
 
     @property
     def disks(self) -> np.ndarray:

@@ -9,7 +9,7 @@ import tempfile
 from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Union
 
 from . import _engine
-from .arguments import integer, mapping
+from .arguments import integer, mapping, path_of
 from .errors import ResultsError
 from .progress import Progress
 from .scene import AnyScene, Scene, _plain, scene_of
@@ -44,15 +44,17 @@ def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
     for name, axes in (("grid", grid), ("zip", zip)):
         if axes is not None and mapping(name, axes, '{"base.inclination": [0.0, 0.1]}'):
             sweep_of[name] = {key: _values(key, values) for key, values in axes.items()}
+    if cases is not None and not hasattr(cases, "__iter__"):
+        raise ValueError(f'cases = {cases!r}: must be a list of mappings, such as [{{"base.inclination": 0.1}}]')
     if cases:
         sweep_of["cases"] = [dict(mapping(f"cases[{k}]", case, '{"base.inclination": 0.1}'))
                              for k, case in enumerate(cases)]
     if seeds is not None:
         sweep_of["seed"] = _seeds(seeds)
-    threads = integer("threads", threads)
+    threads, kept = integer("threads", threads), None if results is None else path_of("results", results)
     text = json.dumps(sweep_of, default=_plain, ensure_ascii=False)
     with tempfile.TemporaryDirectory() as directory, Progress(progress, "sweep") as bar:
-        path = os.fspath(results) if results is not None else os.path.join(directory, "results.db")
+        path = kept or os.path.join(directory, "results.db")
         fingerprint = _engine.sweep(
             text, "sweep", os.fsencode(path), threads,
             lambda done, failed, count: bar.show((done + failed) / max(count, 1),
@@ -63,10 +65,8 @@ def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
 def _without_folder(scene: Scene) -> dict:
     """What a scene was given, with the path of its file of fed disks as seen from anywhere."""
     given = scene.given
-    feed = given.get("feed")
-    if feed and feed.get("file"):
-        folder = os.path.dirname(scene.source) if os.path.exists(scene.source) else ""
-        feed["file"] = os.path.abspath(os.path.join(folder, feed["file"]))
+    if scene.feed_file:
+        given["feed"]["file"] = scene.feed_file
     return given
 
 
@@ -92,9 +92,10 @@ def read_sweep(path: Union[str, os.PathLike]) -> pandas.DataFrame:
     """All cases of a results file: columns for the swept keys and for each number of the summary, named as in
     docs/sweeps.md (mean_vx.A, purity.left.number.A). SI units; undefined values are NaN, pandas' word for none.
     Raises ResultsError."""
-    if not os.path.exists(path):
-        raise ResultsError(f"{os.fspath(path)}: no such file")
-    return _read(os.fspath(path), _ALL, ())
+    file = path_of("path", path)
+    if not os.path.exists(file):
+        raise ResultsError(f"{file}: no such file")
+    return _read(file, _ALL, ())
 
 
 def _read(path: str, query: str, parameters: tuple) -> pandas.DataFrame:

@@ -1,10 +1,12 @@
-"""CSV files: the tables of a run, and the rows of a sweep."""
+"""Files as a whole, and CSV files: the tables of a run, and the rows of a sweep."""
 import contextlib
 import csv
 import dataclasses
 import io
 import math
+import os
 import pathlib
+import sys
 
 import pandas
 
@@ -17,11 +19,42 @@ class Refusal(Exception):
 
 @contextlib.contextmanager
 def writing(path):
-    """Adds the file's name to an error of writing, such as a full disk."""
+    """Gives the path of a part beside a file, and renames it at the end: the file is written completely or not at all.
+    A link stays. A device or a pipe is written itself. An error, such as a full disk, names the file."""
+    target = pathlib.Path(os.path.realpath(path))
+    is_direct = target.exists() and not target.is_file()
+    part = target if is_direct else target.with_name(f"{target.name}.sieve_part{os.getpid()}")
     try:
-        yield
+        yield part
+        if not is_direct:
+            os.replace(part, target)
     except OSError as error:
-        raise OSError(error.errno, error.strerror, str(path)) from error
+        raise OSError(error.errno, error.strerror or str(error), str(path)) from error
+    finally:
+        if not is_direct and part.exists():
+            part.unlink()
+
+
+def write_text(path, text, **options):
+    """As a whole. @param options of open()"""
+    with writing(path) as part, open(part, "w", encoding="utf-8", **options) as file:
+        file.write(text)
+
+
+def write_each(name, writers):
+    """Calls them all. An error of writing, of standard output as well, is one line, and ends the program only after the
+    last: exit status 1."""
+    failed = False
+    for write in (*writers, sys.stdout.flush):
+        try:
+            write()
+        except OSError as error:
+            failed = True
+            print(f"{name}: {error.filename or 'standard output'}: {error.strerror}", file=sys.stderr)
+            if error.filename is None:  # what is left of it would fail again at the end
+                os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    if failed:
+        sys.exit(1)
 
 
 def write_csv(path, columns, lines, end="\n"):
@@ -29,8 +62,7 @@ def write_csv(path, columns, lines, end="\n"):
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     table = pandas.DataFrame(list(lines), columns=columns, dtype=object)
-    with writing(path), open(path, "w", encoding="utf-8", newline=end) as file:
-        table.to_csv(file, index=False)
+    write_text(path, table.to_csv(index=False), newline=end)
 
 
 def read_csv(path):

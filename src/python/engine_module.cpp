@@ -63,6 +63,10 @@ void translateErrors()
         {
           PyErr_SetString(PyExc_OSError, error.what());
         }
+        catch (const SameFileError& error)
+        {
+          PyErr_SetString(PyExc_ValueError, error.what());
+        }
       });
 }
 

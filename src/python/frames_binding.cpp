@@ -13,6 +13,7 @@
 #include "bindings.h"
 #include "ratchet_sieve/page/live_page.h"
 #include "ratchet_sieve/page/run_page.h"
+#include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/trajectory_file.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
@@ -126,6 +127,12 @@ void bindFrames(py::module_& module)
   module.def("write_trajectory", &writeTrajectory, py::arg("path"), py::arg("scene"), py::arg("frames"));
   module.def("write_page", &writePageOf, py::arg("path"), py::arg("title"), py::arg("scene"),
              py::arg("frames"), py::arg("others"), py::arg("warnings"), py::arg("megabytes"));
+  py::class_<NamedFile>(module, "NamedFile")
+      .def(py::init(
+          [](const std::string& name, const std::string& path) {
+            return NamedFile{name, path};
+          }));
+  module.def("require_distinct", &requireDistinct, py::arg("inputs"), py::arg("outputs"));
   module.def("write_live_page", &writeLivePageOf, py::arg("path"), py::arg("scenes"), py::arg("engine"));
 }
 

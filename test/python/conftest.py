@@ -1,6 +1,8 @@
 """What the tests of the engine in Python share."""
+import contextlib
 import locale
 import os
+import resource
 import shutil
 import subprocess
 import warnings
@@ -35,6 +37,21 @@ def scene():
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", rs.SieveWarning)
         return rs.Scene(SCENE)
+
+
+@pytest.fixture
+def small_files():
+    """A context in which no file gets longer than 100 bytes, as on a full disk."""
+    @contextlib.contextmanager
+    def limited():
+        before = resource.getrlimit(resource.RLIMIT_FSIZE)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (100, before[1]))
+        try:
+            yield
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+    return limited()
 
 
 @pytest.fixture

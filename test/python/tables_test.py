@@ -1,9 +1,11 @@
 """Reading and writing of tables."""
+import os
 import pathlib
+import subprocess
 import tempfile
 import unittest
 
-from ratchet_sieve.tables import Refusal, Rows, joined, read_rows, read_table, throughput, write_csv
+from ratchet_sieve.tables import Refusal, Rows, joined, read_rows, read_table, throughput, write_csv, write_text, writing
 
 CASES = """base.frequency,boundary,seed,status,simulated_time,left.A,right.A,left.B,right.B,quality,scene_hash
 20,open,1,done,10,1,2,3,4,0.5,1e5
@@ -23,6 +25,17 @@ class Tables(unittest.TestCase):
     def read(self, text, reader):
         self.path.write_text(text, encoding="utf-8")
         return reader(self.path)
+
+    def test_a_pipe_is_written_itself_and_a_part_is_renamed(self):
+        pipe = self.path.with_name("pipe")
+        os.mkfifo(pipe)
+        reader = subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE, text=True)
+        write_text(pipe, "all")
+        self.assertEqual(reader.communicate()[0], "all")
+        with self.assertRaises(ValueError), writing(self.path) as part:
+            part.write_text("half", encoding="utf-8")
+            raise ValueError
+        self.assertEqual([file.name for file in self.path.parent.iterdir()], ["pipe"])
 
     def test_columns_are_named_without_their_units(self):
         table = self.read("time [s],species\n0,1e5\n2.5,B\n,B\n", read_table)

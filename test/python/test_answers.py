@@ -1,5 +1,6 @@
 """separate(): the surface, the search, and what it answers."""
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -239,12 +240,53 @@ def test_the_program_answers_as_the_function_does_with_the_runs_that_are_kept(an
                   "--plot", "answer.png", "--best", "best.yaml", cwd=tmp_path)
     assert ran.returncode == 0, ran.stderr
     assert ran.stdout.splitlines()[:2] == str(answer).splitlines()[:2]
+    assert ran.stderr == "sieve_separate: the runs are kept in feeder.separate.db; the same command continues\n"
     written = json.loads((tmp_path / "answer.json").read_text(encoding="utf-8"))
     assert written["best"] == answer.best and written["separation"]["value"] == answer.separation.value
     assert rs.Scene.load(tmp_path / "best.yaml")[THETA] == answer.best[THETA]
     assert (tmp_path / "answer.png").stat().st_size > 10_000
     assert str(answer).splitlines()[0] in (tmp_path / "answer.html").read_text(encoding="utf-8")
     assert len(rs.read_sweep(kept)) == len(rs.read_sweep(runs))
+    (tmp_path / "answer.json").unlink()
+    for output, reason in ((subprocess.DEVNULL, ""), (open("/dev/full", "w"), "No space left on device"),
+                           (closed_pipe(), "Broken pipe")):
+        ran = subprocess.run([sys.executable, "-m", "ratchet_sieve.answers", "feeder.yaml", "--over", f"{THETA}=0:0.4",
+                              "--within", "0.06", "--json", "answer.json"], cwd=tmp_path, stdout=output,
+                             stderr=subprocess.PIPE, text=True)
+        assert ran.stderr.splitlines()[1:] == [f"sieve_separate: standard output: {reason}"] * bool(reason)
+        assert ran.returncode == bool(reason) and json.loads((tmp_path / "answer.json").read_text(encoding="utf-8"))
+        (tmp_path / "answer.json").unlink()
+
+
+def closed_pipe():
+    """The end for writing of a pipe that nobody reads."""
+    end, other = os.pipe()
+    os.close(end)
+    return os.fdopen(other, "w")
+
+
+@pytest.mark.parametrize("name", ("a.html", "a.json", "a.csv", "a.png"))
+def test_an_answer_is_written_as_a_whole_or_not_at_all(answer, name, tmp_path, small_files):
+    (tmp_path / "good").write_text("good", encoding="utf-8")
+    (tmp_path / name).symlink_to("good")
+    with small_files, pytest.raises(OSError, match=f"File too large: '.*/{name}'"):
+        answer.write(tmp_path / name)
+    assert (tmp_path / "good").read_text(encoding="utf-8") == "good" and len(list(tmp_path.iterdir())) == 2
+    answer.write(tmp_path / name)
+    assert (tmp_path / name).is_symlink() and (tmp_path / "good").stat().st_size > 1000
+
+
+def test_nothing_replaces_what_an_answer_is_made_from(kept, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    pathlib.Path("feeder.csv").write_text("time,species,radius,mass\n0.1,A,0.001,0.01\n", encoding="utf-8")
+    pathlib.Path("feeder.html").write_text(json.dumps(changed(feed={"file": "feeder.csv"})), encoding="utf-8")
+    found = front.Front(Machine("feeder.html", {THETA: (0.0, 0.4)}), kept[0].table, kept[0].tried)
+    with pytest.raises(ValueError, match="^path ./feeder.csv: is the file of feed.file; must be another one$"):
+        found.write("./feeder.csv")
+    with pytest.raises(ValueError, match="^path feeder.html: is the file of the scene; must be another one$"):
+        rs.run("feeder.html", frames=1).write("feeder.html")
+    with pytest.raises(ValueError, match="is the file of the scene"):
+        rs.live("feeder.html").write(tmp_path / "feeder.html")
 
 
 @pytest.mark.parametrize("arguments, status, line", (
@@ -254,10 +296,14 @@ def test_the_program_answers_as_the_function_does_with_the_runs_that_are_kept(an
     (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--over", f"{THETA}=0:0.3"), 2, "is there twice"),
     (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--html", "none/answer.html"), 2, "there is no such directory"),
     (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--plot", "answer.xyz"), 2, "must end in .png or .svg or .pdf"),
+    (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--best", "./feeder.yaml"), 2,
+     "--best feeder.yaml: is the file of the scene; must be another one"),
+    (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--best", "a", "--db", "../" * 20 + "{here}/a"), 2,
+     "--best a: is the file of --db; must be another one"),
 ))
 def test_the_program_refuses_bad_arguments(arguments, status, line, tmp_path):
     (tmp_path / "feeder.yaml").write_text(rs.Scene(SCENE).yaml, encoding="utf-8")
-    ran = program(*arguments, cwd=tmp_path)
+    ran = program(*(each.format(here=tmp_path) for each in arguments), cwd=tmp_path)
     assert ran.returncode == status and line in ran.stderr and not (tmp_path / "feeder.separate.db").exists()
 
 
@@ -299,9 +345,19 @@ def test_what_is_reported_of_a_front_comes_from_seeds_that_had_no_part_in_the_ch
     for row in found.table.to_dict("records"):
         own = runs[(runs[THETA] == row[THETA]) & (runs["feed.rate"] == row["feed.rate"])].sort_values("seed")
         assert own.seed.is_unique and len(own) == 1 + 2 * front.RUNS
-        assert own.separation.abs().tail(front.RUNS).mean() == pytest.approx(row["value"])
-        chose = own.separation.abs().iloc[1:-front.RUNS]
-        assert row["lower"] == pytest.approx(chose.mean() - stats.mean_of(chose).half_width())
+        assert abs(own.separation.tail(front.RUNS).mean()) == pytest.approx(row["value"])
+        chose = own.separation.iloc[1:-front.RUNS]
+        assert row["lower"] == pytest.approx(abs(chose.mean()) - stats.mean_of(chose).half_width())
+
+
+def test_a_front_does_not_part_two_kinds_that_differ_by_name_alone(monkeypatch):
+    monkeypatch.setattr(front, "RUNS", 6)
+    machine = Machine(changed(species=TWINS), {THETA: (0.0, 0.2)})
+    table = pandas.concat(front._measured(machine, np.array([[k / 9.0]]), 1000 * k + 1, {}) for k in range(10))
+    parted = table.value > table.value_half_width
+    assert parted.sum() <= 2  # 0.5 are expected at 95 %
+    table = table[~parted].assign(lower=0.01)
+    assert len(table) and front.Front(machine, table, table).best() is None
 
 
 def test_settings_that_are_tried_twice_have_their_own_values():

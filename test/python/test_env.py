@@ -1,5 +1,6 @@
 """Environments for learning and control: Gymnasium's contract, and that they tell the truth about the sieve."""
 import math
+import pickle
 import runpy
 
 import numpy as np
@@ -56,6 +57,24 @@ def test_a_seed_begins_a_series_of_different_episodes_that_comes_again(scene):
     assert all(np.array_equal(a, b) for a, b in zip(first, again))
     assert all(np.array_equal(a, b) for a, b in zip(first, series(env)))
     assert not np.array_equal(first[0], first[1]) and not np.array_equal(first[1], first[2])
+
+
+@pytest.mark.parametrize("make", (lambda scene: SieveEnv(scene, observations=ALL), lambda scene: SieveVectorEnv(scene, 2)))
+def test_an_environment_is_pickled_and_goes_on(scene, make):
+    env = make(scene)
+    env.reset(seed=1)
+    action = np.full(env.action_space.shape, 0.15)
+    env.step(action)
+    other = pickle.loads(pickle.dumps(env))
+    for _ in range(2):
+        assert all(np.array_equal(one, same) for one, same in zip(env.step(action)[:4], other.step(action)[:4]))
+        assert np.array_equal(env.reset()[0], other.reset()[0])  # their generators go on, too
+
+
+def test_a_scene_may_be_the_path_of_its_file(scene):
+    assert SieveEnv(places.SHARE / "config/seek.yaml").task.scene == SieveEnv(scene).task.scene
+    with pytest.raises(ValueError, match="scene = 5: must be a Scene, the path"):
+        SieveVectorEnv(5, 2)
 
 
 def test_needs_an_episode(scene):
@@ -263,10 +282,10 @@ def test_an_empty_base_that_is_not_fed_terminates(scene):
     ({"actions": ()}, "actions = "),
     ({"actions": ("frequency", "frequency")}, "different quantities"),
     ({"limits": {"frequency": (0, 1)}}, "limits: there is no quantity 'frequency'"),
-    ({"limits": {"inclination": (0.1, 0.0)}}, "limits of inclination = 0.1, 0"),
+    ({"limits": {"inclination": (0.1, 0.0)}}, r"limits of inclination = \(0.1, 0.0\)"),
     ({"limits": {"inclination": (0.1, 9.0)}}, "within -1.5 to 1.5 rad"),
     ({"limits": {"inclination": (0.1, 0.2)}}, "base.inclination = 0: must be within the limits"),
-    ({"slew_rates": {"inclination": 0.0}}, "slew rate of inclination = 0: must be 1.5e-09 to 15 rad/s"),
+    ({"slew_rates": {"inclination": 0.0}}, "slew rate of inclination = 0.0: must be 1.5e-09 to 15 rad/s"),
     ({"observations": ("colour",)}, "observations: there is none of the name 'colour'; there are time, bins"),
     ({"observations": ()}, "one or more"),
     ({"reward": "beauty"}, "reward: beauty: must be quality, purity:SPECIES:BIN"),
@@ -275,7 +294,10 @@ def test_an_empty_base_that_is_not_fed_terminates(scene):
     ({"step": 0.0}, "step = 0.0: must be a time"),
     ({"episode": math.inf}, "episode = inf"),
     ({"window": math.nan}, "window = nan"),
-    ({"cells": 0}, "cells = 0"),
+    ({"cells": 0}, "cells = 0: must be an integer, 1 to 10000"),
+    ({"limits": {"inclination": 5}}, "limits of inclination = 5: must be two"),
+    ({"slew_rates": {"inclination": "x"}}, "slew rate of inclination = 'x': must be"),
+    ({"step": "x"}, "step = 'x': must be 0 s or more"),
     ({"render_mode": "human"}, "render_mode = 'human': must be None or rgb_array"),
 ])
 def test_refuses_settings_with_one_line(scene, settings, error):

@@ -107,6 +107,7 @@ def test_tracks_show_a_disk_of_each_species_and_end_where_it_leaves(emptied):
 
 def test_bins_are_drawn_over_time(emptied):
     lines = rs.plots.bins(emptied).lines
+    assert [line.get_linestyle() for line in lines] == ["--", "-"] * 2  # left, right, as in all pictures
     assert [line.get_label() for line in lines] == ["A, left", "A, right", "B, left", "B, right"]
     assert sum(line.get_ydata()[-1] for line in lines) == 40
 

@@ -257,6 +257,16 @@ def test_a_shorter_run_takes_the_place_of_a_longer_one(scene, tmp_path):
     assert files == {"notes.txt"} | {f"{series}_{k:06}.vtu" for series in ("disks", "base") for k in range(3)}
 
 
+def test_a_run_that_cannot_be_written_for_paraview_leaves_the_earlier_one(scene, tmp_path, small_files):
+    pytest.importorskip("meshio")
+    run = rs.run(scene.replace({"duration": 0.2, "settle": 0.0}), frames=10, progress=False)
+    run.write(tmp_path / "run.pvd")
+    before = {file: file.read_bytes() for file in tmp_path.rglob("*.*")}
+    with small_files, pytest.raises(OSError, match=r"File too large: '.*/run\.pvd'"):
+        run.write(tmp_path / "run.pvd")
+    assert {file: file.read_bytes() for file in tmp_path.rglob("*.*")} == before
+
+
 def test_paraview_needs_meshio(scene, tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "meshio", None)
     with pytest.raises(ImportError, match=r"run\.pvd: is written by meshio \(Debian: python3-meshio\)"):

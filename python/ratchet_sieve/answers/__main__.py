@@ -1,5 +1,6 @@
 """The program sieve_separate."""
 import argparse
+import functools
 import pathlib
 import sys
 import warnings
@@ -73,20 +74,21 @@ def require_outputs(options):
 
 def run(options):
     import ratchet_sieve as rs
+    from ratchet_sieve.tables import write_each, write_text
 
     require_outputs(options)
-
     warnings.showwarning = lambda message, *_: print(f"sieve_separate: warning: {message}", file=sys.stderr)
     scene = rs.Scene.load(options.scene, dict(text.partition("=")[::2] for text in options.set))
+    options.db = options.db or pathlib.Path(pathlib.Path(options.scene).stem + ".separate.db")
+    scene.require_other(*((f"--{name}", getattr(options, name)) for name in ("db", "html", "json", "plot", "best")))
     answer = rs.separate(scene, read_over(options.over), within=options.within, budget=options.budget,
                          goal=options.goal, seed=options.seed, threads=options.threads,
-                         results=options.db or pathlib.Path(options.scene).stem + ".separate.db")
-    print(answer)
-    for path in (options.html, options.json, options.plot):
-        if path:
-            answer.write(path)
+                         results=options.db)
+    print(f"sieve_separate: the runs are kept in {options.db}; the same command continues", file=sys.stderr)
+    writers = [functools.partial(answer.write, path) for path in (options.html, options.json, options.plot) if path]
     if options.best and answer.best:
-        options.best.write_text(answer.scene.yaml, encoding="utf-8")
+        writers.append(lambda: write_text(options.best, answer.scene.yaml))
+    write_each("sieve_separate", [lambda: print(answer), *writers])
 
 
 def main():
@@ -101,9 +103,7 @@ def main():
     except ValueError as error:
         print(f"sieve_separate: {error}", file=sys.stderr)
         sys.exit(2)
-    except OSError as error:
-        sys.exit(f"sieve_separate: {error.filename}: {error.strerror}")
-    except RuntimeError as error:
+    except (OSError, RuntimeError) as error:
         sys.exit(f"sieve_separate: {error}")
     except KeyboardInterrupt:
         sys.exit("sieve_separate: interrupted before there is an answer; the same command continues")

@@ -6,8 +6,6 @@ import dataclasses
 import html
 import io
 import json
-import os
-import pathlib
 from typing import Any, Optional
 
 import pandas
@@ -152,16 +150,9 @@ class Answer:
     def write(self, path: Any) -> None:
         """Writes the answer; the ending selects the form: .html, .json, .csv (its map), or a picture's (.png, .svg,
         .pdf). Raises OSError, ValueError."""
-        file = pathlib.Path(os.fspath(path))
-        if file.suffix == ".html":
-            file.write_text(self._page(), encoding="utf-8")
-        elif file.suffix == ".json":
-            file.write_text(json.dumps(self.as_json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n",
-                            encoding="utf-8")
-        elif file.suffix == ".csv":
-            self.map.to_csv(file, index=False)
-        else:
-            self.plot().figure.savefig(file)
+        self.machine.write(path, {
+            ".html": self._page, ".csv": lambda: self.map.to_csv(index=False),
+            ".json": lambda: json.dumps(self.as_json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n"}, self.plot)
 
     def _page(self) -> str:
         from ratchet_sieve.plots.style import styled

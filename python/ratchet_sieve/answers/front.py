@@ -7,8 +7,6 @@ reported comes from seeds that decided nothing.
 from __future__ import annotations
 
 import dataclasses
-import os
-import pathlib
 import warnings
 from typing import Any, Iterable, Mapping, Optional
 
@@ -33,9 +31,10 @@ TRIED, AGAIN = 1.0, 1.5  # durations of a setting's runs, over the shortest one
 class Front:
     """Settings that no other beats in both value and throughput.
 
-    table   DataFrame, by rising throughput: the swept keys, value (|separation|, or the goal), throughput [disks/s],
-            processed, each with half the width of its interval at 95 % (value_half_width ...), runs; all from seeds that
-            had no part in the choice; and `lower`, the lower end of the value's interval from the seeds that chose
+    table   DataFrame, by rising throughput: the swept keys, value (|mean separation|, or the mean of the goal),
+            throughput [disks/s], processed, each with half the width of its interval at 95 % (value_half_width ...),
+            runs; all from seeds that had no part in the choice; and `lower`, the lower end of the value's interval from
+            the seeds that chose. Where value's interval contains 0 nothing is separated
     tried   DataFrame: all settings, with the value and the throughput of one run; NaN where the machine does not work
     """
 
@@ -45,20 +44,22 @@ class Front:
 
     def best(self, throughput: float = 0.0) -> Optional[dict]:
         """The settings with the highest value, by the lower end of its interval, at this throughput at least [disks/s];
-        None: there are none."""
+        None: there are none, or none that surely separates."""
         row = self.best_row(throughput)
         return None if row is None else {key: row[key] for key in self.machine.keys}
 
     def best_row(self, throughput: float = 0.0) -> Optional[dict]:
         """The row of best() in the table."""
-        enough = self.table[self.table.throughput >= throughput]
+        surely = np.minimum(self.table.lower, self.table.value - self.table.value_half_width) > 0.0
+        enough = self.table[(self.table.throughput >= throughput) & (surely | (not self.machine.is_signed))]
         return None if enough.empty else self.table.astype(object).loc[enough.lower.idxmax()].to_dict()
 
     def scene(self, throughput: float = 0.0) -> Any:
         """The scene with best(). Raises ValueError where there is none."""
         best = self.best(throughput)
         if best is None:
-            raise ValueError(f"throughput = {throughput:g}: no setting of the front has as much")
+            raise ValueError(f"throughput = {throughput:g}: no setting of the front has as much"
+                             + (" and surely separates" if self.machine.is_signed else ""))
         return self.machine.scene.replace(best)
 
     def __str__(self) -> str:
@@ -75,10 +76,7 @@ class Front:
 
     def write(self, path: Any) -> None:
         """Writes the table (.csv), or a picture (.png, .svg, .pdf). Raises OSError, ValueError."""
-        if pathlib.Path(os.fspath(path)).suffix == ".csv":
-            self.table.to_csv(path, index=False)
-        else:
-            self.plot().figure.savefig(path)
+        self.machine.write(path, {".csv": lambda: self.table.to_csv(index=False)}, self.plot)
 
 
 def front(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, trials: int = 160, goal: Optional[str] = None,
@@ -137,6 +135,7 @@ def _tried(machine, trials, start, seed, options, bar):
         asked = [study.ask() for _ in range(min(BATCH, trials - first))]
         places = np.array([[trial.suggest_float(name, 0.0, 1.0) for name in names] for trial in asked])
         found = _seen(machine, places, TRIED, (seed, 1), options)
+        found["value"] = _height(machine, found["value"])
         for trial, (value, throughput) in zip(asked, found[["value", "throughput"]].to_numpy()):
             if np.isnan(value):
                 study.tell(trial, state=optuna.trial.TrialState.FAIL)
@@ -157,8 +156,7 @@ def _seen(machine, places, duration, seeds, options):
     value = machine.observed(rows)["value"]
     left = rows[[f"{side}.{name}" for side in ("left", "right") for name in machine.scene.species]].sum(axis=1)
     found = once.loc[once.index.repeat(seeds[1])].reset_index(drop=True).assign(
-        value=value.abs() if machine.is_signed else value, throughput=left / rows["simulated_time"],
-        processed=rows["processed"])
+        value=value, throughput=left / rows["simulated_time"], processed=rows["processed"])
     return wanted.merge(found, on=machine.keys, how="left")
 
 
@@ -191,5 +189,10 @@ def _measured(machine, places, first, options):
             mean = stats.mean_of(part[name]) if part.value.notna().all() else None
             line.update({name: mean.value if mean else np.nan,
                          f"{name}_half_width": mean.half_width() if mean else np.nan})
-        lines.append(line)
+        lines.append({**line, "value": _height(machine, line["value"])})
     return pandas.DataFrame(lines)
+
+
+def _height(machine, value):
+    """What is to be large. Of a separation it is |s| of one run, and |mean s| of several: their mean |s| is never 0."""
+    return abs(value) if machine.is_signed else value

@@ -1,13 +1,15 @@
 """What is measured of a machine, by which runs, and how sure one run is of it."""
+import pathlib
 import warnings
 
 import numpy as np
 import pandas
 
 from ratchet_sieve import sweeps
-from ratchet_sieve.arguments import mapping, number
+from ratchet_sieve.arguments import mapping, number, path_of
 from ratchet_sieve.errors import SceneError, SieveWarning
 from ratchet_sieve.scene import scene_of
+from ratchet_sieve.tables import writing
 
 FED = 400              # disks that the shortest run of a fed machine is given
 PERIODS = 40.0         # of the drive, in which a choked one is found to be so
@@ -46,6 +48,8 @@ class Machine:
                           for key, ends in zip(self.keys, ranges)]
         values = self.scene.values
         self.kind = "closed" if values["boundary"] != "open" else "fed" if values["feed"]["rate"] > 0.0 else "poured"
+        if goal is not None and (not goal or not isinstance(goal, str)):
+            self._refuse_goal(goal)
         self.goal = goal or GOALS[self.kind]
         self.is_signed = goal is None
         self._require_species()
@@ -88,8 +92,11 @@ class Machine:
     def _require_goal(self, rows):
         """Raises ValueError."""
         if self.goal in NO_GOALS or self.goal not in rows or rows[self.goal].dtype == object:
-            raise ValueError(f"goal = {self.goal!r}: must be a column of numbers of a sweep's results, such as "
-                             f"purity.left.mass.{self.scene.species[0]}")
+            self._refuse_goal(self.goal)
+
+    def _refuse_goal(self, goal):
+        raise ValueError(f"goal = {goal!r}: must be a column of numbers of a sweep's results, such as "
+                         f"purity.left.mass.{self.scene.species[0]}")
 
     def _require_species(self):
         species = self.scene.species
@@ -114,6 +121,17 @@ class Machine:
             k = int(beyond.argmax())
             raise ValueError(f"{self.keys[k]} = {values[k]:g}: must be {self.low[k]:g} to {self.high[k]:g}")
         return (values - self.low) / (self.high - self.low)
+
+    def write(self, path, texts, plot):
+        """Writes what was found. @param texts map from the endings of paths to functions that give a file's text; other
+        endings are those of pictures. Raises OSError, ValueError, also for a file that the scene was read from."""
+        self.scene.require_other(("path", path_of("path", path)))
+        ending = pathlib.Path(path).suffix
+        with writing(path) as part:
+            if ending in texts:
+                part.write_text(texts[ending](), encoding="utf-8")
+            else:
+                plot().figure.savefig(part, format=ending[1:])
 
     def _changed(self, values):
         """The scene with other values; what is implausible at a place that may never be chosen is not said. Raises

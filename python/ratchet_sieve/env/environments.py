@@ -7,7 +7,7 @@ import numpy as np
 
 from .. import _engine
 from ..arguments import integer
-from ..scene import Scene
+from ..scene import AnyScene
 from ..simulation import Simulation
 from ..values import Values
 from .readings import Readings
@@ -45,12 +45,10 @@ class SieveVectorEnv(VectorEnv):
     disabled   it must be reset by reset(options={"reset_mask": mask}) before the next step
     """
 
-    def __init__(self, scene: Scene, n: int, *, threads: int = 0,
+    def __init__(self, scene: AnyScene, n: int, *, threads: int = 0,
                  autoreset: str = "next_step", render_mode: Optional[str] = None,
                  **settings: Any):
         """@param threads 0: one per processor @param settings see Task. Raises ValueError, SceneError."""
-        if isinstance(n, bool) or not isinstance(n, (int, np.integer)) or n < 1:
-            raise ValueError(f"n = {n!r}: must be an int of 1 or more")
         if render_mode not in (None, *RENDER_MODES):
             raise ValueError(f"render_mode = {render_mode!r}: must be None or {', '.join(RENDER_MODES)}")
         self.render_mode = render_mode
@@ -62,13 +60,13 @@ class SieveVectorEnv(VectorEnv):
         if AutoresetMode is not None:
             self.metadata["autoreset_mode"] = AutoresetMode[self.autoreset.upper()]
         self.closed = False
-        self.num_envs = int(n)
+        self.num_envs = integer("n", n, 1)
         self.single_action_space = self.task.actions.space
         self.single_observation_space = self.task.observations.space
         self.action_space = _rows(self.single_action_space, self.num_envs)
         self.observation_space = _rows(self.single_observation_space, self.num_envs)
         self.observation_names = self.task.observations.names
-        self._threads = threads
+        self._threads = integer("threads", threads)
         self._generators = [generator(None) for _ in range(self.num_envs)]
         self._simulations: list[Optional[Simulation]] = [None] * self.num_envs
         self._readings = Readings(self.task.scene.species, self.num_envs, self.task.cells, self.task.window_steps)
@@ -275,7 +273,7 @@ class SieveEnv(Env):
 
     metadata = {"render_modes": list(RENDER_MODES)}
 
-    def __init__(self, scene: Scene, *, render_mode: Optional[str] = None, **settings: Any):
+    def __init__(self, scene: AnyScene, *, render_mode: Optional[str] = None, **settings: Any):
         """@param settings actions, limits, slew_rates, observations, reward, step, episode, window, cells: see Task.
         Raises ValueError, SceneError."""
         self._one = SieveVectorEnv(scene, 1, threads=1, autoreset="disabled", render_mode=render_mode, **settings)

@@ -1,16 +1,19 @@
 """The task of an environment: what is commanded, observed and rewarded, and how long."""
 from __future__ import annotations
 
+import functools
 import math
+import operator
 import warnings
 from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
 from .. import _engine
+from ..arguments import integer, number
 from ..errors import SieveWarning
 from ..goals import Goal
-from ..scene import Scene
+from ..scene import AnyScene, Scene, scene_of
 from ..values import Values
 from .readings import BASE_FIELDS, BIN_FIELDS, Readings
 
@@ -95,21 +98,19 @@ def _limits(quantity: Mapping[str, Any], given: Optional[Sequence[float]]) -> tu
     if given is None:
         return quantity["usual"]
     least, most = quantity["legal"]
-    low, high = (float(limit) for limit in given)
+    try:
+        low, high = map(float, given)
+    except (TypeError, ValueError):
+        low = high = math.nan
     if not least <= low < high <= most:
-        raise ValueError(f"limits of {quantity['name']} = {low:g}, {high:g}: must be two, the lower one first, within "
+        raise ValueError(f"limits of {quantity['name']} = {given!r}: must be two, the lower one first, within "
                          f"{least:g} to {most:g} {quantity['unit']}")
     return low, high
 
 
 def _slew_rate(quantity: Mapping[str, Any], given: Optional[float]) -> float:
-    if given is None:
-        return quantity["slew_rate"]
-    least, most = quantity["slew_rates"]
-    if not least <= given <= most:
-        raise ValueError(f"slew rate of {quantity['name']} = {given:g}: must be {least:g} to {most:g} "
-                         f"{quantity['unit']}/s")
-    return float(given)
+    rate = quantity["slew_rate"] if given is None else given
+    return number(f"slew rate of {quantity['name']}", rate, *quantity["slew_rates"], f"{quantity['unit']}/s")
 
 
 class Part(NamedTuple):
@@ -117,7 +118,7 @@ class Part(NamedTuple):
 
     elements: Sequence[str]
     bounds: Sequence[tuple[float, float]]
-    read: Callable[[Readings], np.ndarray]  # (n, ...) with one number for each element
+    read: Callable[[Readings], np.ndarray]  # (n, ...) with one number for each element; can be pickled
 
 
 class Observations:
@@ -151,11 +152,10 @@ def _parts(species: list[str], cells: int, episode: float, limits: Mapping[str, 
     """All that can be observed, by name."""
     def of_bins(name: str) -> Part:
         elements = [f"{name}.{field}.{kind}" for kind in species for field in BIN_FIELDS]
-        return Part(elements, [_COUNT] * len(elements), lambda readings: getattr(readings, name))
+        return Part(elements, [_COUNT] * len(elements), operator.attrgetter(name))
 
     def share(name: str) -> Part:
-        return Part([name, f"{name}_defined"], [_SHARE] * 2,
-                    lambda readings: np.stack([getattr(readings, name), getattr(readings, f"{name}_defined")], axis=1))
+        return Part([name, f"{name}_defined"], [_SHARE] * 2, functools.partial(_with_defined, name=name))
 
     def of_base(field: str) -> tuple[float, float]:
         quantity = field.replace("commanded_", "")
@@ -165,18 +165,22 @@ def _parts(species: list[str], cells: int, episode: float, limits: Mapping[str, 
 
     cells_of = [f"histogram.{kind}.{cell}" for kind in species for cell in range(cells)]
     return {
-        "time": Part(["time"], [(0.0, episode)], lambda readings: readings.time),
+        "time": Part(["time"], [(0.0, episode)], operator.attrgetter("time")),
         "bins": of_bins("bins"),
         "departures": of_bins("departures"),
         "quality": share("quality"),
         "processed": share("processed"),
         "mean_vx": Part([f"{field}.{kind}" for kind in species for field in ("mean_vx", "mean_vx_defined")],
-                        [_ANY, _SHARE] * len(species),
-                        lambda readings: np.stack([readings.mean_vx, readings.mean_vx_defined], axis=2)),
-        "histogram": Part(cells_of, [_COUNT] * len(cells_of), lambda readings: readings.histogram),
+                        [_ANY, _SHARE] * len(species), functools.partial(_with_defined, name="mean_vx")),
+        "histogram": Part(cells_of, [_COUNT] * len(cells_of), operator.attrgetter("histogram")),
         "base": Part([f"base.{field}" for field in BASE_FIELDS], [of_base(field) for field in BASE_FIELDS],
-                     lambda readings: readings.base),
+                     operator.attrgetter("base")),
     }
+
+
+def _with_defined(readings: Readings, name: str) -> np.ndarray:
+    """Each number followed by whether it is defined."""
+    return np.stack([getattr(readings, name), getattr(readings, f"{name}_defined")], axis=-1)
 
 
 class Task:
@@ -198,21 +202,20 @@ class Task:
     Times are taken as whole steps.
     """
 
-    def __init__(self, scene: Scene, *, actions: Sequence[str] = ("inclination",), limits: Optional[Limits] = None,
+    def __init__(self, scene: AnyScene, *, actions: Sequence[str] = ("inclination",), limits: Optional[Limits] = None,
                  slew_rates: Optional[Mapping[str, float]] = None, observations: Sequence[str] = DEFAULT_OBSERVATIONS,
                  reward: Reward = "quality", step: float = 1.0, episode: Optional[float] = None, window: float = 10.0,
                  cells: int = 10):
         """Raises ValueError, SceneError."""
+        scene = scene_of(scene)
         episode = scene["duration"] if episode is None else episode
         for name, value in (("step", step), ("episode", episode), ("window", window)):
-            if not 0.0 < value < math.inf:
+            if number(name, value, 0.0, unit="s") == 0.0:
                 raise ValueError(f"{name} = {value}: must be a time of more than 0 s")
-        if isinstance(cells, bool) or not isinstance(cells, (int, np.integer)) or not 1 <= cells <= 10000:
-            raise ValueError(f"cells = {cells!r}: must be an int, 1 to 10000")
         self.step = float(step)
         self.steps = max(1, round(episode / step))
         self.window_steps = max(1, round(window / step))
-        self.cells = int(cells)
+        self.cells = integer("cells", cells, 1, 10000)
         # A duration beyond the episode, so that its settings hold; nothing of the means of a run is read.
         self.scene = scene.replace({"duration": self.steps * self.step, "settle": 0.0})
         self.actions = Actions(actions, limits, slew_rates)

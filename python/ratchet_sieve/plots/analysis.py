@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 
 from ratchet_sieve.plots.curves import distribution, signed
-from ratchet_sieve.plots.observed import drawings_of_observed
+from ratchet_sieve.plots.observed import PLACES, drawings_of_observed
 from ratchet_sieve.plots.program import parser_of, run_of, run_program, write
 from ratchet_sieve.plots.style import COLOURS, GREY, MM, UJ, any_defined, beside, describe, panels, say_undefined
 from ratchet_sieve.tables import read_table
@@ -16,10 +16,9 @@ CONTACTS = {'disk_disk': 'disk-disk', 'left_slope': 'left slope', 'right_slope':
 
 def plot_bins(axes, bins):
     for colour, (species, part) in zip(COLOURS, bins.by('species').items()):
-        for place, label, options in (('left', 'left', {'linestyle': '--'}), ('right', 'right', {}),
-                                      ('on_base', 'on the base', {'linestyle': ':', 'linewidth': 1.0})):
-            axes.step(part.numbers('time'), part.numbers(place), where='post', color=colour, label=f'{species} {label}',
-                      **options)
+        for place, line, width in (*((place, line, None) for place, line in PLACES.items()), ('on_base', ':', 1.0)):
+            axes.step(part.numbers('time'), part.numbers(place), where='post', color=colour, linestyle=line,
+                      linewidth=width, label=f"{species} {place.replace('on_', 'on the ')}")
     axes.set_ylim(bottom=0)
     axes.yaxis.set_major_locator(MaxNLocator(integer=True))
     describe(axes, 'Bins', 'disks')

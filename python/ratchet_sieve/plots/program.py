@@ -4,7 +4,7 @@ import pathlib
 import sys
 
 from ratchet_sieve.plots.style import GREY, save, styled
-from ratchet_sieve.tables import Refusal, read_table
+from ratchet_sieve.tables import Refusal, read_table, write_each
 
 
 def parser_of(module, description, help_of_directory):
@@ -18,9 +18,7 @@ def run_program(name, draw):
     """Draws. An error is one line: exit status 2 if something cannot be read or drawn, 1 if it cannot be written."""
     try:
         with styled():
-            draw()
-    except OSError as error:
-        sys.exit(f"{name}: {error.filename}: {error.strerror}")
+            write_each(name, [draw])
     except Refusal as refusal:
         print(f"{name}: {refusal}", file=sys.stderr)
         sys.exit(2)

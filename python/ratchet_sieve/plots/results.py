@@ -3,6 +3,7 @@ returns matplotlib's axes."""
 from ratchet_sieve.plots.curves import distribution
 from ratchet_sieve.plots.machine import trajectories
 from ratchet_sieve.plots.means import Means, draw_curves, draw_map
+from ratchet_sieve.plots.observed import PLACES
 from ratchet_sieve.plots.style import COLOURS, GREY, drawing, legend_above, say_undefined
 from ratchet_sieve.stats import density_of
 from ratchet_sieve.tables import rows_of
@@ -97,7 +98,7 @@ def bins(run, axes=None):
     run._require_frames()
     with drawing(axes, SIZE) as axes:
         for colour, (name, counts) in zip(COLOURS, run.frames.bins.items()):
-            for end, line in (("left", "-"), ("right", "--")):
+            for end, line in PLACES.items():
                 axes.plot(run.frames.time, counts[end], line, color=colour, label=f"{name}, {end}")
         axes.set(xlabel="time [s]", ylabel="disks that left")
         legend_above(axes)

@@ -71,8 +71,9 @@ def save(figure, path, **options):
     path.parent.mkdir(parents=True, exist_ok=True)
     paths = [path, path.with_suffix(".svg")] if options.pop("svg", True) else [path]
     for each in paths:
-        with writing(each):
-            figure.savefig(each, metadata={"Date": None} if each.suffix == ".svg" else None, **options)
+        with writing(each) as part:
+            figure.savefig(part, format=each.suffix[1:], metadata={"Date": None} if each.suffix == ".svg" else None,
+                           **options)
     return paths
 
 

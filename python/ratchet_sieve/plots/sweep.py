@@ -15,7 +15,7 @@ from ratchet_sieve.plots.program import parser_of, run_program
 from ratchet_sieve.plots.style import GREY, panels, save
 from ratchet_sieve.plots.sweep_page import pages_of, report_of
 from ratchet_sieve.tables import (
-    Refusal, column_of, departed, read_csv, read_rows, throughput, typed, write_csv, writing)
+    Refusal, column_of, departed, read_csv, read_rows, throughput, typed, write_csv, write_each, write_text)
 from ratchet_sieve.texts import counted
 
 MOST_CURVES = STEPS  # in one picture
@@ -92,19 +92,6 @@ def pictures_of(means, x, y, directory, origin):
             yield functools.partial(picture, field, 'map', draw_map)
 
 
-def write_each(name, writers):
-    """Calls them all. An error of writing is one line, and ends the program only after the last: exit status 1."""
-    failed = False
-    for write in writers:
-        try:
-            write()
-        except OSError as error:
-            failed = True
-            print(f'{name}: {error.filename}: {error.strerror}', file=sys.stderr)
-    if failed:
-        sys.exit(1)
-
-
 def with_unit(name, ending=''):
     """As the head of a column."""
     unit = plain_label(name)[1]
@@ -138,9 +125,8 @@ def read_sweep(path):
 
 
 def write_json(path, content, **options):
-    with writing(path):
-        path.write_text(json.dumps(content, ensure_ascii=False, allow_nan=False, **options) + '\n',
-                        encoding='utf-8', errors='replace')  # of names of files that are not UTF-8
+    write_text(path, json.dumps(content, ensure_ascii=False, allow_nan=False, **options) + '\n',
+               errors='replace')  # of names of files that are not UTF-8
 
 
 def origin_of(rows, means, where, failed, limits):
