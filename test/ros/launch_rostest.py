@@ -98,6 +98,15 @@ class Launch(Launched):
                 'real_time_factor', 'recording/particles', 'limits/inclination/slew_rate', 'set', 'seed')],
                 [3, 4, 0.7, '{base.teeth: 020}', '3000000000'])
 
+    def test_comes_again_where_that_is_asked_for(self):
+        self.launch('sieve.launch', 'respawn:=true', *STILL)
+        message('/sieve/scene', SceneDescription)
+        first = self.master.lookupNode('/sieve')
+        with xmlrpc.client.ServerProxy(first) as node:
+            os.kill(node.getPid('/launch_rostest')[2], signal.SIGKILL)
+        wait_for(lambda: self.master.lookupNode('/sieve') != first, 'it comes again')
+        message('/sieve/scene', SceneDescription)
+
     def test_every_node_is_cleared(self):
         for path in PACKAGE.glob('launch/*.launch'):
             arguments = {'replay.launch': [f'bag:={sys.argv[1]}'], 'seek.launch': ['disturb:=true', 'rviz:=true'],
