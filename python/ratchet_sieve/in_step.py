@@ -21,7 +21,7 @@ class InStep:
         rospy.Subscriber(f'{self.name}/commands', Command, self._echoes.append, tcp_nodelay=True)
         for service in ('pause_physics', 'reset', 'step'):
             rospy.wait_for_service(f'{self.name}/{service}', timeout)
-        self.wait_for(lambda: self._base, 'its base')
+        self.wait_for(lambda: self._base, 'base')
 
     def _take_base(self, base):
         self._base = base
@@ -35,10 +35,11 @@ class InStep:
     def reset(self, seed=0, overrides=()):
         """Pauses it, and begins a run. @param seed 0: the scene's @param overrides such as 'base.inclination=0.1'"""
         self._call('pause_physics', Empty)
+        self._base = None
+        self._echoes.clear()
         self._call('reset', ResetSimulation, seed, overrides, False)
         self.time = 0.0
-        self.wait_for(lambda: self._base.time == 0.0, 'the new run')
-        self._echoes.clear()
+        self.wait_for(lambda: self._base and self._base.time == 0.0, 'new run')
 
     def step(self, duration):
         """Advances it. @param duration [s]"""
@@ -52,7 +53,7 @@ class InStep:
             if value is None:
                 return any(echo.kind == kind and echo.time == self.time for echo in [*self._echoes])
             return self._base.time == self.time and getattr(self._base, f'commanded_{quantity}') == value
-        self.wait_for(taken, f'a setpoint of {quantity}' if value is None else f'{quantity} = {value}')
+        self.wait_for(taken, f'setpoint of {quantity}' if value is None else f'{quantity} = {value}')
 
     def wait_for(self, holds, what):
         """Waits until `holds()`. @throws RuntimeError after `timeout`"""
