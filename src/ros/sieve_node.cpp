@@ -33,6 +33,9 @@ RunLog rosLog()
 class SieveNode
 {
 public:
+  SieveNode(const SieveNode&) = delete;
+  SieveNode& operator=(const SieveNode&) = delete;
+
   /// Reads the private parameters and pours the scene.
   /// @param stop outlives this
   /// @throws SceneError, ParameterError, BagError, std::invalid_argument if disks overlap
