@@ -15,7 +15,7 @@ ratchet_sieve_packages(OPTIMISE optimise ".*")
 ratchet_sieve_packages(RUNS base "(python3-|ros-(std|vis)|rosbash).*")
 ratchet_sieve_packages(BUILDS base "(catkin|ros-message|lib).*")
 ratchet_sieve_packages(LIBRARIES engine "(g..|make|lib(eigen|yaml|fmt|sqlite).*|nlohmann.*|zlib.*)")
-ratchet_sieve_packages(ROSTEST tests ".*-rostest")
+ratchet_sieve_packages(ROSTEST tests "(.*-rostest|libgtest-dev)")
 ratchet_sieve_packages(RVIZ rviz ".*")
 
 install(SCRIPT cmake/leave_engine_out.cmake)

@@ -28,9 +28,9 @@ int main(int argc, char** argv)
   if (answerOptions(argc, argv, "sieve_display", HELP))
     return 0;
   writeLogByLines();
-  ros::init(argc, argv, "sieve_display");
   try
   {
+    ros::init(argc, argv, "sieve_display");
     runDisplay(ros::NodeHandle("~"));
   }
   catch (const std::exception& error)

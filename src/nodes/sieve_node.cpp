@@ -40,6 +40,7 @@ constexpr const char* HELP =
 }  // namespace
 
 int main(int argc, char** argv)
+try
 {
   using namespace ratchet_sieve;
   if (answerOptions(argc, argv, "sieve_node", HELP))
@@ -51,4 +52,9 @@ int main(int argc, char** argv)
   const ros::NodeHandle private_node("~");
   attendSignals();
   return runSieve(private_node, stop_requested);
+}
+catch (const ros::Exception& error)  // an illegal name
+{
+  std::fprintf(stderr, "sieve_node: %s\n", error.what());
+  return 2;
 }

@@ -96,15 +96,14 @@ bool Run::passIfDue(Series& series) const
   return true;
 }
 
-double Run::realTimeFactor(Stream& stream)
+void Run::measureSpeed(Stream& stream) const
 {
   const Clock::time_point now = wallTime();
   const double wall_seconds = std::chrono::duration<double>(now - stream.last_statistics_wall).count();
   const bool measured = stream.last_statistics && time() > *stream.last_statistics && wall_seconds > 0.0;
-  const double factor = measured ? (time() - *stream.last_statistics) / wall_seconds : 0.0;
+  stream.real_time_factor = measured ? (time() - *stream.last_statistics) / wall_seconds : 0.0;
   stream.last_statistics = time();
   stream.last_statistics_wall = now;
-  return factor;
 }
 
 template <typename Frame>
@@ -112,12 +111,15 @@ void Run::take(Stream& stream)
 {
   // Also for an unwanted frame, so that later windows do not depend on the subscribers.
   if constexpr (std::is_same_v<Frame, StatisticsFrame>)
+  {
     stream.window.moveTo(simulation_);
+    measureSpeed(stream);
+  }
   if (!hasFrames<Frame>(simulation_.scene()) || !stream.sink.wants(kindOf<Frame>()))
     return;
   Frame frame = makeFrame<Frame>(simulation_, stream.window);
   if constexpr (std::is_same_v<Frame, StatisticsFrame>)
-    frame.real_time_factor = realTimeFactor(stream);
+    frame.real_time_factor = stream.real_time_factor;
   stream.sink.take(frame);
 }
 

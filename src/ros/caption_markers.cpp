@@ -62,9 +62,12 @@ std::vector<Line> captionLines(const Picture& picture)
       quantityText("theta", "{:+.3f}", base.inclination, base.commanded_inclination, "rad"),
       quantityText("f", "{:.1f}", base.frequency, base.commanded_frequency, "Hz"),
       quantityText("A", "{:.2f}", MM_PER_M * base.amplitude, MM_PER_M * base.commanded_amplitude, "mm"));
+  std::string second = picture.sieve;
   if (picture.scene.boundary == Boundary::OPEN && picture.bins)
-    lines.push_back({fmt::format("Q = {}    P = {}", orUndefined(picture.bins->quality),
-                                 orUndefined(picture.bins->processed))});
+    second += fmt::format("{}Q = {}    P = {}", second.empty() ? "" : "    ",
+                          orUndefined(picture.bins->quality), orUndefined(picture.bins->processed));
+  if (!second.empty())
+    lines.push_back({second});
   return lines;
 }
 

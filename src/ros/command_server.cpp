@@ -40,10 +40,13 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
       frame_id_(parameters.frames.world)
 {
   for (const Setpoint& setpoint : parameters.setpoints)
-    subscribers_.push_back(private_node.subscribe<std_msgs::Float64>(
-        setpointTopic(setpoint.quantity), QUEUE_SIZE,
-        [this, setpoint](const std_msgs::Float64::ConstPtr& message) { takeSetpoint(setpoint, *message); },
-        ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+  {
+    const boost::function<void(const ros::MessageEvent<const std_msgs::Float64>&)> take =
+        [this, setpoint](const auto& event) { takeSetpoint(setpoint, event); };
+    subscribers_.push_back(private_node.subscribe<std_msgs::Float64>(setpointTopic(setpoint.quantity),
+                                                                     QUEUE_SIZE, take, ros::VoidConstPtr(),
+                                                                     ros::TransportHints().tcpNoDelay()));
+  }
   offerServices(private_node);
 }
 
@@ -91,17 +94,20 @@ void CommandServer::offerServices(ros::NodeHandle& private_node)
                    { answer("pour", control_.pour(request.species, request.count), response); });
 }
 
-void CommandServer::takeSetpoint(const Setpoint& setpoint, const std_msgs::Float64& message)
+void CommandServer::takeSetpoint(const Setpoint& setpoint,
+                                 const ros::MessageEvent<const std_msgs::Float64>& event)
 {
-  if (const auto refusal = setpoint.refusal(message.data))
+  const double value = event.getConstMessage()->data;
+  SetpointLog& log = logs_[indexOf(setpoint.quantity)];
+  if (const auto refusal = setpoint.refusal(value))
   {
-    LogThrottle& log = logs_[indexOf(setpoint.quantity)].refused;
-    say(ros::console::levels::Warn, log.put(*refusal, LogThrottle::Clock::now()));
+    say(ros::console::levels::Warn, log.refused.put(*refusal, LogThrottle::Clock::now()));
     diagnostics_.answered(setpoint.name(), *refusal);
     return;
   }
   diagnostics_.answered(setpoint.name());
-  inbox_.put(setpoint.quantity, message.data);
+  log.publisher = event.getPublisherName();
+  inbox_.put(setpoint.quantity, value);
 }
 
 void CommandServer::serve(double wait)
@@ -128,10 +134,13 @@ void CommandServer::command(Quantity quantity, double value)
   if (control_.commanded(quantity) == value)
     return;
   control_.command(quantity, value);
-  LogThrottle& log = logs_[indexOf(quantity)].taken;
-  const std::string line = fmt::format("{}: {:g} {} from {:.3f} s on", describe(quantity).name, value,
-                                       describe(quantity).unit, control_.run().time());
-  say(ros::console::levels::Info, log.put(line, LogThrottle::Clock::now()));
+  SetpointLog& log = logs_[indexOf(quantity)];
+  const std::string line = fmt::format("{}: {:g} {} from {:.3f} s on, by {}", describe(quantity).name, value,
+                                       describe(quantity).unit, control_.run().time(), log.publisher);
+  if (std::exchange(log.told, log.publisher) == log.publisher)
+    ROS_DEBUG_STREAM(line);
+  else
+    say(ros::console::levels::Info, log.taken.put(line, LogThrottle::Clock::now()));
 }
 
 bool CommandServer::resetWorld()

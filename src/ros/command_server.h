@@ -37,14 +37,17 @@ public:
   void serve(double wait);
 
 private:
-  /// The throttled log of one quantity's setpoints.
+  /// The throttled log of one quantity's setpoints. The first one of another publisher is told at the level
+  /// INFO, the next ones at DEBUG.
   struct SetpointLog
   {
     LogThrottle taken;
     LogThrottle refused;
+    std::string publisher;  ///< of the last setpoint
+    std::string told;       ///< the publisher that was told last
   };
 
-  void takeSetpoint(const Setpoint& setpoint, const std_msgs::Float64& message);
+  void takeSetpoint(const Setpoint& setpoint, const ros::MessageEvent<const std_msgs::Float64>& event);
   void command(Quantity quantity, double value);
   void offerServices(ros::NodeHandle& private_node);
   template <typename Service, typename Handle>

@@ -25,7 +25,7 @@ Diagnostics::Diagnostics(const RunControl& control, const Speed& speed, const Re
                          const ClockPublisher& clock)
     : control_(control), speed_(speed), recorder_(recorder), clock_(clock)
 {
-  updater_.setHardwareID("ratchet_sieve");
+  updater_.setHardwareID(ros::this_node::getName().substr(1));
   updater_.add("simulation", this, &Diagnostics::reportRun);
   updater_.add("scene", this, &Diagnostics::reportScene);
   updater_.add("speed", this, &Diagnostics::reportSpeed);

@@ -55,7 +55,8 @@ Display::Display(ros::NodeHandle private_node, double rate)
 bool Display::due(double time) const
 {
   const double waited = std::chrono::duration<double>(Clock::now() - last_shown_).count();
-  return watched() && rate_ > 0.0 && waited >= (time == last_time_ ? STILL_PERIOD : 1.0 / rate_);
+  const bool watched = markers_.getNumSubscribers() > 0 || cloud_.getNumSubscribers() > 0;
+  return watched && rate_ > 0.0 && waited >= (time == last_time_ ? STILL_PERIOD : 1.0 / rate_);
 }
 
 void Display::show(const Picture& picture, const std::string& frame_id)

@@ -30,9 +30,6 @@ public:
   /// @param rate upper limit [1/s of wall time]; 0: no display
   Display(ros::NodeHandle private_node, double rate);
 
-  /// Whether ~markers or ~cloud has a subscriber.
-  bool watched() const { return markers_.getNumSubscribers() > 0 || cloud_.getNumSubscribers() > 0; }
-
   /// Whether a picture of this time is due; false without subscribers. While a run is paused, its picture is
   /// repeated once a second, for new subscribers. @param time simulated [s]
   bool due(double time) const;

@@ -165,8 +165,11 @@ private:
   void show()
   {
     const auto time = mirror_.time();
-    if (time && display_.due(*time))
-      display_.show(mirror_.picture(), frames_.world);
+    if (!time || !display_.due(*time))
+      return;
+    Picture picture = mirror_.picture();
+    picture.sieve = defaultFramePrefix(sieve_);
+    display_.show(picture, frames_.world);
   }
 
   ros::NodeHandle node_;

@@ -28,7 +28,8 @@ Recorder::Recorder(const std::string& path, const std::string& topic_prefix,
 {
 }
 
-std::string Recorder::nextPath() const
+/// Begins the next file.
+void Recorder::openFile()
 {
   std::string suffix;
   if (run_ > 1)
@@ -37,12 +38,7 @@ std::string Recorder::nextPath() const
     suffix += "_" + std::to_string(file_);
   std::filesystem::path path(base_path_);
   path.replace_filename(path.stem().string() + suffix + path.extension().string());
-  return path.string();
-}
-
-void Recorder::openFile()
-{
-  bag_ = std::make_unique<BagWriter>(nextPath(), topic_prefix_, frame_id_);
+  bag_ = std::make_unique<BagWriter>(path.string(), topic_prefix_, frame_id_);
 }
 
 void Recorder::open()

@@ -68,7 +68,6 @@ private:
   void splitBefore(double time);
   bool full() const;
   void giveUp(const BagError& error);
-  std::string nextPath() const;
 
   std::string base_path_;
   std::string topic_prefix_;

@@ -32,8 +32,8 @@ visualization_msgs::MarkerArray binMarkers(const SceneDefinition& scene, const B
 /// disks that the drive of the scene throws up.
 double captionHeight(const SceneDefinition& scene, double inclination);
 
-/// Above the machine: time, theta, f and A (with their setpoints while they change), Q and P. Below it, in
-/// each species' colour: name, size, number and mean velocity with its standard error.
+/// Above the machine: time, theta, f and A (with their setpoints while they change), the sieve, Q and P.
+/// Below it, in each species' colour: name, size, number and mean velocity with its standard error.
 visualization_msgs::MarkerArray captionMarkers(const Picture& picture);
 
 /// A colour for each species, distinguishable with colour blindness (Okabe & Ito); repeated after eight.

@@ -16,38 +16,7 @@ YAML::Node scalar(XmlRpc::XmlRpcValue value)
 {
   return YAML::Node(static_cast<T&>(value));
 }
-}  // namespace
 
-YAML::Node yamlFromParameter(const XmlRpc::XmlRpcValue& value, const std::string& source)
-{
-  YAML::Node node;
-  switch (value.getType())
-  {
-    case XmlRpc::XmlRpcValue::TypeBoolean:
-      return scalar<bool>(value);
-    case XmlRpc::XmlRpcValue::TypeInt:
-      return scalar<int>(value);
-    case XmlRpc::XmlRpcValue::TypeDouble:
-      return scalar<double>(value);
-    case XmlRpc::XmlRpcValue::TypeString:
-      return scalar<std::string>(value);
-    case XmlRpc::XmlRpcValue::TypeArray:
-      node = YAML::Node(YAML::NodeType::Sequence);
-      for (int k = 0; k < value.size(); ++k)
-        node.push_back(yamlFromParameter(value[k], source + "/" + std::to_string(k)));
-      return node;
-    case XmlRpc::XmlRpcValue::TypeStruct:
-      node = YAML::Node(YAML::NodeType::Map);
-      for (const auto& [key, entry] : value)
-        node[key] = yamlFromParameter(entry, fmt::format("{}/{}", source, key));
-      return node;
-    default:
-      throw SceneError(source + ": a date, binary or nothing: allowed are numbers, text, lists and maps");
-  }
-}
-
-namespace
-{
 /// Sets the keys of a tree in the scene; lists replace lists. @return the keys, for the log
 std::string putOnTop(YAML::Node& scene, const YAML::Node& tree, const std::string& prefix = "")
 {
@@ -84,6 +53,34 @@ void applySettings(const ros::NodeHandle& node, ParameterReader& reader, YAML::N
       applyOverride(scene, "seed", value);
 }
 }  // namespace
+
+YAML::Node yamlFromParameter(const XmlRpc::XmlRpcValue& value, const std::string& source)
+{
+  YAML::Node node;
+  switch (value.getType())
+  {
+    case XmlRpc::XmlRpcValue::TypeBoolean:
+      return scalar<bool>(value);
+    case XmlRpc::XmlRpcValue::TypeInt:
+      return scalar<int>(value);
+    case XmlRpc::XmlRpcValue::TypeDouble:
+      return scalar<double>(value);
+    case XmlRpc::XmlRpcValue::TypeString:
+      return scalar<std::string>(value);
+    case XmlRpc::XmlRpcValue::TypeArray:
+      node = YAML::Node(YAML::NodeType::Sequence);
+      for (int k = 0; k < value.size(); ++k)
+        node.push_back(yamlFromParameter(value[k], source + "/" + std::to_string(k)));
+      return node;
+    case XmlRpc::XmlRpcValue::TypeStruct:
+      node = YAML::Node(YAML::NodeType::Map);
+      for (const auto& [key, entry] : value)
+        node[key] = yamlFromParameter(entry, fmt::format("{}/{}", source, key));
+      return node;
+    default:
+      throw SceneError(source + ": a date, binary or nothing: allowed are numbers, text, lists and maps");
+  }
+}
 
 SceneParameter readSceneParameter(const ros::NodeHandle& node)
 {

@@ -114,9 +114,10 @@ private:
     if (display_.due(run.time()))
     {
       clock_.reach(run.time());
-      display_.show({run.simulation().scene(), run.now<BaseFrame>(), run.now<BinFrame>(),
-                     run.now<ParticleFrame>(), run.simulation().means()},
-                    parameters_.frames.world);
+      display_.show(
+          {run.simulation().scene(), run.now<BaseFrame>(), run.now<BinFrame>(), run.now<ParticleFrame>(),
+           run.simulation().means(), defaultFramePrefix(node_.getNamespace())},
+          parameters_.frames.world);
     }
     watchSpeed();
     diagnostics_.updateDue();

@@ -19,8 +19,12 @@ void TopicPublisher::advertise(ros::NodeHandle& node)
   const ros::SubscriberStatusCallback give =
       [current = current_, frame_id = frames_.world](const ros::SingleSubscriberPublisher& subscriber)
   {
-    if (hasFrames<Frame>(current().simulation().scene()))
-      subscriber.publish(toMessage(current().now<Frame>(), frame_id));
+    if (!hasFrames<Frame>(current().simulation().scene()))
+      return;
+    Frame frame = current().now<Frame>();
+    if constexpr (std::is_same_v<Frame, StatisticsFrame>)
+      frame.real_time_factor = current().realTimeFactor();
+    subscriber.publish(toMessage(frame, frame_id));
   };
   const FrameKind kind = kindOf<Frame>();
   publishers_[kind] = node.advertise<MessageOf<Frame>>(describe(kind).name, FRAME_QUEUE_SIZE, give);

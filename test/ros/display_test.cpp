@@ -219,6 +219,10 @@ TEST(SceneMarkers, sayHowTheRunIs)
                        "Q = undefined    P = 0.500",
                        "A: r = 1 mm, m = 10 g, 3 on the base, <V_x> = +12.3 +- 0.6 mm/s",
                        "B: r = 3 mm, m = 1 g, 6 on the base, <V_x> = undefined"}));
+  picture.sieve = "line2/sieve";
+  EXPECT_EQ(captionMarkers(picture).markers[1].text, "line2/sieve    Q = undefined    P = 0.500");
+  picture.bins.reset();
+  EXPECT_EQ(captionMarkers(picture).markers[1].text, "line2/sieve");
   EXPECT_EQ(captionMarkers(picture).markers[3].color,
             diskMarkers(scene, ParticleFrame()).markers.at(1).color);
 }

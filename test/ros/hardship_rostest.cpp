@@ -122,6 +122,31 @@ TEST(Hardship, aScheduleThatIsOverDoesNotMindTheEnd)
   EXPECT_EQ(log.count("before the end of the schedule"), 0);
 }
 
+TEST(Hardship, aNameThatIsNoneIsBadInput)
+{
+  for (const std::string program : {"sieve_node", "sieve_display"})
+  {
+    ChildNode node(program, {"__name:=my-sieve"});
+    EXPECT_EQ(node.wait(), 2);
+    EXPECT_EQ(node.errors().rfind(program + ": ", 0), 0u) << node.errors();
+    EXPECT_NE(node.errors().find("my-sieve"), std::string::npos) << node.errors();
+    EXPECT_EQ(node.errors().find('\n'), node.errors().size() - 1) << node.errors();
+  }
+}
+
+TEST(Hardship, eachControllerIsToldOnce)
+{
+  const NodeLog log("/told");
+  StartedNode started("/told", {});
+  for (const double inclination : {0.1, 0.05, 0.02})
+    started.sieve.command("inclination", inclination);
+  ChildNode other("/usr/bin/env",
+                  {"rostopic", "pub", "-1", "/told/inclination_setpoint", "std_msgs/Float64", "0.2"});
+  ASSERT_TRUE(waitFor([&] { return log.count("inclination: 0.2 rad from 0.000 s on, by /rostopic_") == 1; }));
+  EXPECT_EQ(log.count("inclination: 0.1 rad from 0.000 s on, by " + ros::this_node::getName()), 1);
+  EXPECT_EQ(log.count("inclination: "), 2);
+}
+
 TEST(Hardship, aBurstOfGarbage)
 {
   constexpr double INF = std::numeric_limits<double>::infinity();

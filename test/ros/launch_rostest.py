@@ -23,11 +23,14 @@ import yaml
 from geometry_msgs.msg import TransformStamped
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import PointCloud2
+from std_msgs.msg import Float64
+from std_srvs.srv import Empty
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
 from launched import PACKAGE, TIMEOUT, Launched, message, wait_for
 from ratchet_sieve import Scene, SceneError
+from ratchet_sieve.in_step import InStep
 from ratchet_sieve.msg import BaseState, BinCounts, SceneDescription, SeekTrial
 
 # A paused sieve that does not exit.
@@ -97,6 +100,39 @@ class Launch(Launched):
             self.assertEqual([values[f'/sieve/{key}'] for key in (
                 'real_time_factor', 'recording/particles', 'limits/inclination/slew_rate', 'set', 'seed')],
                 [3, 4, 0.7, '{base.teeth: 020}', '3000000000'])
+
+    def test_comes_again_where_that_is_asked_for(self):
+        self.launch('sieve.launch', 'respawn:=true', *STILL)
+        message('/sieve/scene', SceneDescription)
+        first = self.master.lookupNode('/sieve')
+        with xmlrpc.client.ServerProxy(first) as node:
+            os.kill(node.getPid('/launch_rostest')[2], signal.SIGKILL)
+        wait_for(lambda: self.master.lookupNode('/sieve') != first, 'it comes again')
+        message('/sieve/scene', SceneDescription)
+
+    def test_in_step(self):
+        self.launch('sieve.launch', f'scene:={PACKAGE}/test/ros/mixture.yaml', *STILL)
+        bases = []
+        rospy.Subscriber('/sieve/base', BaseState, bases.append)
+        sieve = InStep()
+        setpoint = rospy.Publisher('/sieve/inclination_setpoint', Float64, queue_size=1)
+        wait_for(setpoint.get_num_connections, 'the sieve takes setpoints')
+        sieve.reset(3, ['base.inclination=0.02'])
+        self.assertEqual(bases[-1].inclination, 0.02)
+        for inclination in (0.05, 0.1):
+            sieve.step(0.25)
+            setpoint.publish(inclination)
+            sieve.wait_for_setpoint()
+            sieve.wait_for_setpoint('inclination', inclination)
+        sieve.step(0.25)
+        sieve.timeout = 0.1
+        with self.assertRaisesRegex(RuntimeError, '^/sieve at 0.75 s: no setpoint of inclination within 0.1 s$'):
+            sieve.wait_for_setpoint()
+        with self.assertRaisesRegex(RuntimeError, '^/sieve at 0.75 s: no inclination = 0.2 within 0.1 s$'):
+            sieve.wait_for_setpoint('inclination', 0.2)
+        rospy.ServiceProxy('/sieve/unpause_physics', Empty)()
+        with self.assertRaisesRegex(RuntimeError, '^/sieve/step: the simulation is not paused'):
+            sieve.step(0.25)
 
     def test_every_node_is_cleared(self):
         for path in PACKAGE.glob('launch/*.launch'):

@@ -63,6 +63,18 @@ TEST_F(Node, stepsAsTheSimulationDoesBitForBit)
   }
 }
 
+TEST_F(Node, tellsALateSubscriberHowFastItIs)
+{
+  sieve.stepAndSee(0.5);
+  const double known = sieve.statistics.frames.back().real_time_factor;
+  EXPECT_GT(known, 0.0);
+  sieve.statistics.unsubscribe();
+  sieve.statistics.forget();
+  sieve.statistics.subscribe(sieve.node, "statistics");
+  ASSERT_TRUE(sieve.statistics.waitForTime(0.5));
+  EXPECT_EQ(sieve.statistics.frames.back().real_time_factor, known);
+}
+
 TEST_F(Node, followsASetpointAtItsSlewRate)
 {
   sieve.command("inclination", 0.1);
@@ -127,6 +139,7 @@ TEST_F(Node, reportsWhatIsWrongWithARun)
     ASSERT_TRUE(sieve.reset().success);
     EXPECT_TRUE(statuses.waitFor(std::string("sieve: ") + one.status, Level::OK)) << one.words;
   }
+  EXPECT_EQ(statuses["sieve: scene"].hardware_id, "sieve");
   EXPECT_EQ(statuses.value("sieve: scene", "size"),
             "30 disks, at rest a layer of about 0.00479 m, about 1 MB of memory");
 }

@@ -59,6 +59,10 @@ def frames_drawn_in(topic):
     return {marker.header.frame_id for marker in message(topic, MarkerArray).markers if marker.action == marker.ADD}
 
 
+def captions(topic):
+    return ' '.join(marker.text for marker in message(topic, MarkerArray).markers).split()
+
+
 class Plant(Launched):
     def test_recipe(self):
         screen = VirtualScreen().__enter__()
@@ -84,6 +88,7 @@ class Plant(Launched):
         for sieve, frame in (('s1', 'world'), ('s2', 's2/sieve_world')):
             self.expect_rviz(sieve)
             self.assertEqual(frames_drawn_in(f'/{sieve}/markers'), {frame})
+            self.assertIn(sieve, captions(f'/{sieve}/markers'))
 
         self.assertEqual(self.publishers('/clock'), ['/s1'])
         clock, *others = clock_statuses('s1', 's2', 'line2/sieve')
@@ -134,6 +139,7 @@ class Plant(Launched):
             self.launch('replay.launch', f'bag:={bag}', 'loop:=true', 'rviz:=false')
             self.assertEqual(message('/s2/scene', SceneDescription).header.frame_id, 's2/sieve_world')
             self.assertEqual(frames_drawn_in('/sieve_display/markers'), {'s2/sieve_world'})
+            self.assertIn('s2', captions('/sieve_display/markers'))
             self.assertEqual(set(links('/tf', 2)), {('s2/sieve_world', 's2/sieve_mount'),
                                                     ('s2/sieve_mount', 's2/sieve_base')})
 

@@ -35,6 +35,8 @@ public:
                                           });
   }
 
+  void unsubscribe() { subscriber_.shutdown(); }
+
   /// Waits for a frame of exactly this time. A sieve sends a new subscriber its present state.
   bool waitForTime(double time)
   {

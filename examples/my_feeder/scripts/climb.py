@@ -20,9 +20,8 @@ reports = rospy.Publisher('~report', Report, queue_size=10)
 
 def take(bins):
     inclination = climber.take(bins)
-    if inclination is not None:
-        setpoint.publish(inclination)
-        reports.publish(bins, inclination)
+    setpoint.publish(inclination)
+    reports.publish(bins, inclination)
 
 
 rospy.Subscriber(f'{sieve}/bins', BinCounts, take, queue_size=1, tcp_nodelay=True)

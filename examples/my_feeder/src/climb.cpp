@@ -2,7 +2,6 @@
 // Parameters: ~sieve (name of its node), ~step [rad], ~dwell [s]
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 
 #include <my_feeder/Report.h>
@@ -16,21 +15,22 @@ struct Climber
 {
   double step;   // rad
   double dwell;  // s
-  double inclination = 0.0, time = 0.0, last = 0.0;
+  double inclination = 0.0, time = 0.0, last = 0.0, direction = 1.0;
   double count_from = dwell;
 
-  std::optional<double> take(const ratchet_sieve::BinCounts& bins)
+  double take(const ratchet_sieve::BinCounts& bins)
   {
     if (bins.time < time)  // the sieve was reset
       *this = {step, dwell};
     time = bins.time;
-    if (bins.window_start < count_from || !bins.window_separation_defined)
-      return std::nullopt;
-    if (std::abs(bins.window_separation) < last)
-      step = -step;
-    last = std::abs(bins.window_separation);
-    inclination = std::clamp(inclination + step, -0.4, 0.4);
-    count_from = bins.time + dwell;
+    if (bins.window_start >= count_from && bins.window_separation_defined)
+    {
+      if (std::abs(bins.window_separation) < last)
+        direction = -direction;
+      last = std::abs(bins.window_separation);
+      inclination = std::clamp(inclination + direction * step, -0.4, 0.4);
+      count_from = bins.time + dwell;
+    }
     return inclination;
   }
 };
@@ -48,14 +48,11 @@ int main(int argc, char** argv)
       [&](const ratchet_sieve::BinCounts::ConstPtr& message)
       {
         my_feeder::Report report;
-        if (const auto inclination = climber.take(*message))
-        {
-          std_msgs::Float64 command;
-          command.data = report.inclination = *inclination;
-          report.bins = *message;
-          setpoint.publish(command);
-          reports.publish(report);
-        }
+        std_msgs::Float64 command;
+        command.data = report.inclination = climber.take(*message);
+        report.bins = *message;
+        setpoint.publish(command);
+        reports.publish(report);
       },
       ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   // See climb.py.

@@ -14,25 +14,23 @@ PERIOD = 0.5  # s
 
 class InLockStep(unittest.TestCase):
     def run_once(self):
-        """@return what the climber decided on, and the last state"""
+        """@return what the climber saw, and the last state"""
         rospy.ServiceProxy('/sieve/reset', ResetSimulation)()
         lock_step = rospy.ServiceProxy('/sieve/lock_step', LockStep, persistent=True)
-        climber, decisions = Climber(step=0.03, dwell=2.0), []
+        climber, seen = Climber(step=0.03, dwell=2.0), []
         answer = lock_step([], PERIOD)
         while answer.success and not answer.finished:
-            inclination = climber.take(answer.bins)
-            if inclination is not None:
-                decisions.append(answer.bins)
-            answer = lock_step([BaseSetpoint('inclination', climber.inclination)], PERIOD)
+            seen.append(answer.bins)
+            answer = lock_step([BaseSetpoint('inclination', climber.take(answer.bins))], PERIOD)
         self.assertTrue(answer.success, answer.message)
-        return decisions, answer
+        return seen, answer
 
     def test_separates_the_same_each_time(self):
         rospy.wait_for_service('/sieve/lock_step', 60.0)
-        decisions, last = self.run_once()
-        late = [abs(bins.window_separation) for bins in decisions if bins.time > 120.0]
+        seen, last = self.run_once()
+        late = [abs(bins.window_separation) for bins in seen if bins.time > 120.0]
         self.assertGreater(sum(late) / len(late), 0.25)
-        self.assertEqual(self.run_once(), (decisions, last))
+        self.assertEqual(self.run_once(), (seen, last))
 
 
 if __name__ == '__main__':

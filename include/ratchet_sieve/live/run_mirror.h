@@ -19,6 +19,7 @@ struct Picture
   std::optional<BinFrame> bins;
   std::optional<ParticleFrame> particles;
   std::vector<SpeciesMeans> means = {};  ///< per species; empty if unknown
+  std::string sieve = {};                ///< its name, to be shown; empty: none
 };
 
 /// Reconstructs a run from its topics: combines the last frames received into pictures of one instant. Each

@@ -97,6 +97,10 @@ public:
                             std::is_same_v<Frame, StatisticsFrame> ? presentWindow() : StatisticsWindow());
   }
 
+  /// Simulated over wall time between the last two statistics frames that were due for the first sink; 0
+  /// before.
+  double realTimeFactor() const { return streams_.empty() ? 0.0 : streams_.front().real_time_factor; }
+
   /// From now on periods are observed for now<StatisticsFrame>() even if no sink wants statistics.
   void keepStatistics() { statistics_kept_ = true; }
 
@@ -116,8 +120,9 @@ private:
     std::array<Series, FRAME_KINDS> series = {};  ///< in the order of FrameKind
     bool scene_taken = false;
     StatisticsWindow window = {};
-    std::optional<double> last_statistics = {};  ///< time of the last statistics frame [s]
+    std::optional<double> last_statistics = {};  ///< time of the last statistics frame, wanted or not [s]
     Clock::time_point last_statistics_wall = {};
+    double real_time_factor = 0.0;  ///< of that frame
 
     template <typename Frame>
     Series& of()
@@ -133,7 +138,7 @@ private:
   void takeDue(Stream& stream);
   template <typename Frame>
   void take(Stream& stream);
-  double realTimeFactor(Stream& stream);
+  void measureSpeed(Stream& stream) const;
   Clock::time_point wallTime() const;
 
   std::unique_ptr<Simulation> kept_;  ///< the simulation, if the run keeps it

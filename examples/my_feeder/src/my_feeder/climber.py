@@ -12,18 +12,17 @@ class Climber:
 
     def begin(self):
         self.inclination = self.time = self.last = 0.0
-        self.count_from = self.dwell
+        self.direction, self.count_from = 1, self.dwell
 
     def take(self, bins):
-        """@param bins ratchet_sieve/BinCounts @return the next inclination [rad], or None: it waits"""
+        """@param bins ratchet_sieve/BinCounts @return the inclination [rad]"""
         if bins.time < self.time:  # the sieve was reset
             self.begin()
         self.time = bins.time
-        if bins.window_start < self.count_from or not bins.window_separation_defined:
-            return None
-        if abs(bins.window_separation) < self.last:
-            self.step = -self.step
-        self.last = abs(bins.window_separation)
-        self.inclination = min(max(self.inclination + self.step, -self.limit), self.limit)
-        self.count_from = bins.time + self.dwell
+        if bins.window_start >= self.count_from and bins.window_separation_defined:
+            if abs(bins.window_separation) < self.last:
+                self.direction = -self.direction
+            self.last = abs(bins.window_separation)
+            self.inclination = min(max(self.inclination + self.direction * self.step, -self.limit), self.limit)
+            self.count_from = bins.time + self.dwell
         return self.inclination
