@@ -25,11 +25,17 @@ constexpr double TWO_PI = 6.283185307179586;
 /// The largest number that is written: far beyond any machine.
 constexpr double LARGEST = 1 << 28;
 
-/// Fewest bytes that a state takes when it is encoded. About 5 are usual.
+/// Fewest bytes that a state takes when it is encoded, or the time of a frame. About 5 are usual.
 constexpr std::size_t LEAST_STATE = 4;
 
-/// Frames that are always kept: the first and the last.
+/// Frames that are always kept.
 constexpr std::size_t FEWEST_FRAMES = 2;
+
+/// By which what does not fit is thinned once more.
+constexpr double MORE = 1.1;
+
+/// Of a rate of frames.
+constexpr double ROUNDING = 1e-6;
 
 /// What is no number becomes the largest.
 std::int32_t inUnits(double value, double unit)
@@ -98,21 +104,40 @@ MotionRecord::MotionRecord(const SceneDefinition& scene, std::size_t most_bytes)
 
 void MotionRecord::add(const ParticleFrame& frame)
 {
-  if (taken_++ % thinning_.every != 0)
+  if (taken_++ % thinning_.every != 0 || thinning_.cut)
   {
     last_ = frame;
     return;
   }
   last_.reset();
   kept_.push_back(rounded(frame));
-  kept_states_ += kept_.back().disks.size();
+  kept_states_ += 1 + kept_.back().disks.size();
   // Thinned at an odd number of frames, of which every second one includes the last.
   if (kept_states_ <= most_bytes_ / LEAST_STATE || kept_.size() <= FEWEST_FRAMES || kept_.size() % 2 == 0)
     return;
-  thin(kept_, 2, thinning_);
-  kept_states_ = 0;
-  for (const Frame& each : kept_)
-    kept_states_ += each.disks.size();
+  if (mostEvery(kept_) < 2 && !leavesOutDisks(kept_))
+  {
+    thinning_.cut = true;
+    return;
+  }
+  thin(kept_, 2.0, thinning_);
+  kept_states_ = kept_.size() + countStates(kept_);
+}
+
+/// The largest k of which every k-th frame leaves LEAST_RATE frames a second; at least 1.
+std::size_t MotionRecord::mostEvery(const std::vector<Frame>& frames)
+{
+  const double span = frames.back().time - frames.front().time;
+  const double rate = span > 0.0 ? static_cast<double>(frames.size() - 1) / span : 0.0;
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::floor(rate / LEAST_RATE * (1.0 + ROUNDING))));
+}
+
+std::size_t MotionRecord::countStates(const std::vector<Frame>& frames)
+{
+  std::size_t states = 0;
+  for (const Frame& frame : frames)
+    states += frame.disks.size();
+  return states;
 }
 
 MotionRecord::Frame MotionRecord::rounded(const ParticleFrame& frame) const
@@ -128,20 +153,29 @@ MotionRecord::Frame MotionRecord::rounded(const ParticleFrame& frame) const
   return result;
 }
 
-void MotionRecord::thin(std::vector<Frame>& frames, std::size_t factor, Thinning& thinning) const
+bool MotionRecord::leavesOutDisks(const std::vector<Frame>& frames) const
 {
-  std::size_t by_frames = factor;
-  if (!scene_.contact.pair_collisions)
+  return !scene_.contact.pair_collisions && countStates(frames) > frames.size();
+}
+
+void MotionRecord::thin(std::vector<Frame>& frames, double factor, Thinning& thinning) const
+{
+  const std::size_t every = std::min(static_cast<std::size_t>(std::ceil(factor)), mostEvery(frames));
+  const double rest = factor / static_cast<double>(every);
+  const bool fewer_disks = leavesOutDisks(frames);
+  std::size_t end = frames.size();
+  if (rest > 1.0 && !fewer_disks)
   {
-    const double span = frames.back().time - frames.front().time;
-    const double rate = span > 0.0 ? static_cast<double>(frames.size() - 1) / span : 0.0;
-    by_frames = std::clamp<std::size_t>(static_cast<std::size_t>(rate / LEAST_RATE), 1, factor);
+    thinning.cut = true;
+    end =
+        std::clamp(static_cast<std::size_t>(static_cast<double>(end) / rest), std::min(every + 1, end), end);
   }
-  thinning.every *= by_frames;
-  thinning.disk_every *= static_cast<std::uint32_t>((factor + by_frames - 1) / by_frames);
+  else if (rest > 1.0)
+    thinning.disk_every *= static_cast<std::uint32_t>(std::ceil(rest));
+  thinning.every *= every;
   std::vector<Frame> kept;
-  for (std::size_t k = 0; k < frames.size(); ++k)
-    if (k % by_frames == 0 || k + 1 == frames.size())
+  for (std::size_t k = 0; k < end; ++k)
+    if (k % every == 0 || k + 1 == frames.size())
       kept.push_back(std::move(frames[k]));
   frames = std::move(kept);
   const auto left_out = [&](const Disk& disk) { return disk.id % thinning.disk_every != 0; };
@@ -152,13 +186,14 @@ void MotionRecord::thin(std::vector<Frame>& frames, std::size_t factor, Thinning
 EncodedMotion MotionRecord::encoded(std::size_t size) const
 {
   std::vector<Frame> all = kept_;
-  if (last_)
+  if (last_ && !thinning_.cut)
     all.push_back(rounded(*last_));
   Thinning thinning = thinning_;
   EncodedMotion encoded = encode(all);
   std::size_t frames_left = all.size();
-  for (std::size_t factor = std::max<std::size_t>(2, encoded.bytes.size() / std::max<std::size_t>(size, 1));
-       encoded.bytes.size() > size && frames_left > FEWEST_FRAMES; ++factor)
+  for (double factor =
+           std::max(MORE, static_cast<double>(encoded.bytes.size()) / std::max<double>(size, 1.0));
+       encoded.bytes.size() > size && frames_left > FEWEST_FRAMES; factor *= MORE)
   {
     std::vector<Frame> frames = all;
     thinning = thinning_;
@@ -169,6 +204,7 @@ EncodedMotion MotionRecord::encoded(std::size_t size) const
   encoded.description["taken"] = taken_;
   encoded.description["every"] = thinning.every;
   encoded.description["disk_every"] = thinning.disk_every;
+  encoded.description["cut"] = thinning.cut;
   return encoded;
 }
 

@@ -20,7 +20,7 @@ namespace ratchet_sieve
 /// The description: `frames` (their number), the units `position_unit` [m], `velocity_unit` [m/s],
 /// `positions_per_velocity` [s], `spin_unit` [rad/s], `angle_steps` of a turn, `radius_unit` [m], the numbers
 /// of `tracks` and `states`, and how it was thinned (see MotionRecord): `taken` (frames in all), `every` (k),
-/// `disk_every` (m). A track is a disk in consecutive frames.
+/// `disk_every` (m), `cut` (whether it ends before the run). A track is a disk in consecutive frames.
 ///
 /// The bytes, deflated: the times of the frames [s]; columns of the tracks: id, species, radius, first frame,
 /// number of frames; then columns of the states, track by track: vx, vy, x, y, spin, angle. x and y are
@@ -39,20 +39,22 @@ struct EncodedMotion
 
 /// The motion of the disks in rounded numbers, thinned so that it fits into a page.
 ///
-/// The rule: every k-th frame is kept, and the last. Where the disks do not collide with each other, at least
-/// LEAST_RATE frames a second are kept, and of the disks every m-th instead.
+/// The rule: every k-th frame is kept, and the last, but at least LEAST_RATE frames a second, so that a path
+/// between two of them stays near the disk's. What is still too much is left out: of disks that do not
+/// collide with each other all but every m-th, of others the later part of the run.
 class MotionRecord
 {
 public:
-  static constexpr double LEAST_RATE = 20.0;  ///< of frames [1/s]
+  static constexpr double LEAST_RATE = 30.0;  ///< of frames [1/s]
 
   /// @param scene outlives this
-  /// @param most_bytes that encoded() will be asked for
+  /// @param most_bytes that encoded() will be asked for; a state or a frame kept takes some ten times
+  /// LEAST_STATE
   MotionRecord(const SceneDefinition& scene, std::size_t most_bytes);
 
   void add(const ParticleFrame& frame);
 
-  /// What was kept. @param size of the bytes at most, unless the first and the last frame alone take more
+  /// What was kept. @param size of the bytes at most, unless two frames alone take more
   EncodedMotion encoded(std::size_t size) const;
 
 private:
@@ -72,10 +74,14 @@ private:
   {
     std::size_t every = 1;
     std::uint32_t disk_every = 1;
+    bool cut = false;
   };
 
   Frame rounded(const ParticleFrame& frame) const;
-  void thin(std::vector<Frame>& frames, std::size_t factor, Thinning& thinning) const;
+  static std::size_t mostEvery(const std::vector<Frame>& frames);
+  static std::size_t countStates(const std::vector<Frame>& frames);
+  bool leavesOutDisks(const std::vector<Frame>& frames) const;
+  void thin(std::vector<Frame>& frames, double factor, Thinning& thinning) const;
   EncodedMotion encode(const std::vector<Frame>& frames) const;
   static std::vector<Track> tracksOf(const std::vector<Frame>& frames);
   static std::vector<State> statesOf(const std::vector<Track>& tracks, const std::vector<Frame>& frames);
@@ -86,7 +92,7 @@ private:
   double radius_unit_;    ///< [m]
   std::size_t most_bytes_;
   std::size_t taken_ = 0;
-  std::size_t kept_states_ = 0;
+  std::size_t kept_states_ = 0;  ///< and frames
   Thinning thinning_;
   std::vector<Frame> kept_;
   std::optional<ParticleFrame> last_;  ///< if it is not among those kept

@@ -37,13 +37,6 @@ EncodedMotion motionOf(const SceneDefinition& scene, std::size_t size, std::size
   return sink.record.encoded(size);
 }
 
-/// Every k-th frame of a second, and the last.
-std::size_t framesOfASecond(const EncodedMotion& motion)
-{
-  const std::size_t every = motion.description["every"];
-  return 240 / every + (240 % every == 0 ? 1 : 2);
-}
-
 TEST(MotionRecord, KeepsEveryFrameThatFits)
 {
   const EncodedMotion motion = motionOf(smallRing(), PLENTY);
@@ -54,19 +47,44 @@ TEST(MotionRecord, KeepsEveryFrameThatFits)
   EXPECT_EQ(motion.description["states"], 4u * 241u);
 }
 
-TEST(MotionRecord, ThinsFramesToASizeAndToAMemory)
+TEST(MotionRecord, ThinsFramesToASize)
 {
-  for (const std::size_t size : {2500U, 1500U, 800U})
+  for (const std::size_t size : {2500U, 1500U})
   {
     const EncodedMotion motion = motionOf(smallRing(), size);
     EXPECT_LE(motion.bytes.size(), size);
     EXPECT_GT(motion.bytes.size(), size / 3);
-    EXPECT_EQ(motion.description["frames"], framesOfASecond(motion));
+    const std::size_t every = motion.description["every"];
+    EXPECT_EQ(motion.description["frames"], 240 / every + (240 % every == 0 ? 1 : 2)) << "and the last";
+    EXPECT_EQ(motion.description["cut"], false);
   }
-  const EncodedMotion motion = motionOf(smallRing(), 1000, 1000);
-  EXPECT_LE(motion.bytes.size(), 1000u);
-  EXPECT_EQ(motion.description["frames"], framesOfASecond(motion));
-  EXPECT_EQ(motionOf(smallMixture(), 1).description["frames"], 2) << "the first and the last";
+}
+
+TEST(MotionRecord, EndsBeforeTheRunRatherThanToLeapBetweenFrames)
+{
+  for (const auto& [size, memory] : {std::pair<std::size_t, std::size_t>{300U, PLENTY}, {1000U, 200U}})
+  {
+    const EncodedMotion motion = motionOf(smallRing(), size, memory);
+    EXPECT_LE(motion.bytes.size(), size);
+    EXPECT_EQ(motion.description["every"], 8);
+    EXPECT_LT(motion.description["frames"], 31);
+    EXPECT_EQ(motion.description["cut"], true);
+    EXPECT_EQ(motion.description["taken"], 241u);
+  }
+  EXPECT_EQ(motionOf(smallMixture(), 1).description["frames"], 2);
+}
+
+TEST(MotionRecord, CountsFramesWithoutDisksInItsMemory)
+{
+  for (const bool pair_collisions : {true, false})
+  {
+    SceneDefinition scene = smallMixture();
+    scene.contact.pair_collisions = pair_collisions;
+    MotionRecord record(scene, 4000);
+    for (int k = 0; k < 100'000; ++k)
+      record.add({k / 240.0, {}});
+    EXPECT_LE(record.encoded(PLENTY).description["frames"], 1002u);
+  }
 }
 
 TEST(MotionRecord, ThinsDisksThatDoNotSeeEachOther)

@@ -107,6 +107,14 @@ class Pages:
         self.program('sieve_analyze', bag, '--html', self.out / f'{name}.html')
         (self.out / f'{name}.json').write_text(json.dumps(facts(bag), allow_nan=False))
 
+    def thinned(self, scene, *options):
+        """Pages of one run that lack most of its frames, or the later ones, and the highest place of a disk at each time."""
+        bag = self.run('whole', scene, *options, '--bag-rate', 240, '--html', self.out / 'cut.html', '--html-size', 0.6)
+        self.run('few', scene, *options, '--bag-rate', 10)
+        self.program('sieve_analyze', self.out / 'few.bag', '--html', self.out / 'few.html')
+        tops = [[message.time, max(message.y)] for message in messages(bag, 'ParticleStates')]
+        (self.out / 'tops.json').write_text(json.dumps(tops))
+
     def run(self, name, scene, *options):
         """Runs a scene. @return its bag"""
         bag = self.out / f'{name}.bag'
@@ -145,6 +153,7 @@ def main():
     pages.out.mkdir(parents=True)
     pages.page('demo', pages.run('demo', pages.config / 'demo.yaml', '--set', 'base.inclination=0.19'))
     pages.page('sizes', pages.run('sizes', HERE / 'sizes.yaml'))
+    pages.thinned(pages.config / 'paper_fig8.yaml', '--duration', 4, '--set', 'settle=0')
     pages.hostile('hostile', pages.run('observed', HERE / 'observed.yaml'))
     pages.sweep('sweep')
     pages.live('machine_fig9', 'demo', 'paper_fig8')

@@ -10,6 +10,8 @@ const FINE_ENOUGH = 0.05;   // the page's resolution over the smallest radius
 const ROUNDING = 1 + 1e-6;  // of positions on the edge of the resolution
 const TURN = 2 * Math.PI;
 const SAME_ANGLE = 0.51 * TURN / 256;
+const FRAME = 1 / 240;            // of the run that is whole [s]
+const SAG = 9.81 / 8 / 30 ** 2;  // of a flight of 1/30 s below its tangents' crossing [m]
 
 /// As one text: of 10^4 objects Firefox's protocol takes seconds.
 async function disksAt(page, time)
@@ -92,5 +94,30 @@ describe('between recorded times', () => {
         }
       }
       assert.ok(looked > 100, `only ${looked} disks were looked at`);
+    });
+});
+
+// A run by its bag, and pages of it with fewer frames: a path between two of them goes no higher than the disks did.
+describe('in pages that are thinned', () => {
+  const browser = useBrowser();
+  for (const name of ['cut', 'few'])
+    it(`no disk rises above those of the run: ${name}`, async () => {
+      const tops = factsOf('tops');
+      const {page} = await openStill(browser(), name);
+      const frames = await page.evaluate(() => window.ratchetSieve.frames);
+      let looked = 0;
+      for (let k = 0; k + 1 < frames.length; ++k) {
+        const [from, to] = [frames[k], frames[k + 1]];
+        const highest = Math.max(...tops.filter(([time]) => time > from - FRAME && time < to + FRAME).map(([, y]) => y));
+        for (const share of to - from > 1.5 * FRAME && k % 4 === 0 ? [0.25, 0.5, 0.75] : []) {
+          const drawn = await disksAt(page, from + share * (to - from));
+          const top = Math.max(...drawn.map(disk => disk.y));
+          assert.ok(top < highest + SAG, `t = ${from + share * (to - from)}: a disk at ${top}, in the run at ${highest}`);
+          ++looked;
+        }
+      }
+      assert.ok(looked > 20, `only ${looked} times were looked at`);
+      const rate = (frames.length - 1) / (frames[frames.length - 1] - frames[0]);
+      assert.ok(name === 'few' || rate > 29.9, `${rate} frames a second`);
     });
 });

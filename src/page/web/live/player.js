@@ -1,6 +1,5 @@
 const MOST = 'most';        // the speed that is as fast as the engine goes
 const BUDGET = 30;          // of a request, so that the picture goes on where the engine is slower than real time [ms]
-const LONGEST_FRAME = 0.1;  // a pause of the browser is not caught up with [s]
 const FACTOR_TIME = 0.5;    // over which the speed that is reached is measured [s]
 
 /** Runs the engine in a worker, and asks it for a picture at each frame of the browser. */
@@ -34,7 +33,7 @@ class LivePlayer extends Player {
     this.factor = null;
     this.onChange();
     const measured = {wall: performance.now(), time: this.time};
-    let before = null;
+    this.before = null;
     const step = (now) => {
       if (!this.playing) return;
       requestAnimationFrame(step);
@@ -44,8 +43,7 @@ class LivePlayer extends Player {
         [measured.wall, measured.time] = [now, this.time];
       }
       if (this.waiting.length) return;
-      const elapsed = before === null ? 0 : Math.min(LONGEST_FRAME, (now - before) / 1000);
-      before = now;
+      const elapsed = this.elapsedTo(now);
       this.ask('advance', {to: this.speed === MOST ? Infinity : this.time + this.speed * elapsed, budget: BUDGET});
     };
     requestAnimationFrame(step);

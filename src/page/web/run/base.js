@@ -68,6 +68,17 @@ class Base {
     return {x, y, cosine: Math.cos(state.inclination), sine: Math.sin(state.inclination)};
   }
 
+  /** A place of the world, along the base and normal to it. */
+  static seenFrom(pose, x, y) {
+    const dx = x - pose.x, dy = y - pose.y;
+    return [dx * pose.cosine + dy * pose.sine, dy * pose.cosine - dx * pose.sine];
+  }
+
+  /** The inverse of seenFrom. */
+  static inWorld(pose, s, n) {
+    return [pose.x + s * pose.cosine - n * pose.sine, pose.y + s * pose.sine + n * pose.cosine];
+  }
+
   /** Corners in the frame of the base: along it, and normal to it. */
   outline() {
     const corners = [];

@@ -11,15 +11,15 @@ async function readData() {
 class RunPage extends MachinePage {
   constructor({run, series, motion: states}) {
     const base = new Base(run.machine, series.drive);
-    const motion = new Motion(run.motion, states, base, [run.results.start_time, run.results.simulated_time]);
+    const span = [run.results.start_time, run.results.simulated_time];
+    const motion = new Motion(run.motion, states, base, span);
     const bins = new BinSeries(series.bins, run.machine.boundary);
     super(new RunPlayer(motion.times, () => this.show()), CURVES_PERIOD);
     this.motion = motion;
     new Report(run, motion.times, bins.areUsed).show();
     byId('content').hidden = false;
-    if (run.motion.frames) byId('motion-note').textContent = `Between the ${motion.times.length} frames shown, disks fly on parabolas that fit ` +
-      'the recorded positions and velocities. Where a disk met others in between, its path is one of several possible ones.';
-    this.showMachine(base, motion, bins, new Curves(byId('curves'), run, series, motion.times, bins.areUsed,
+    if (run.motion.frames) byId('motion-note').textContent = Report.motionText(run.motion, motion.times, span[1]);
+    this.showMachine(base, motion, bins, new Curves(byId('curves'), run, series, span, bins.areUsed,
       (time) => this.player.seek(time), () => this.player.time));
     this.connectControls();
     addEventListener('beforeprint', () => { byId('scene-details').open = true; });

@@ -1,6 +1,9 @@
 /** Longest free flight that is shown before a frame and after it, where disks met something in between [s]. */
 const LONGEST_ARC = 1 / 240;
 
+/** Between frames that are farther apart disks go straight on in the frame of the base: more would be made up [s]. */
+const LONGEST_FLIGHT = 1 / 29;
+
 /** Differences of this many units of positions are rounding. */
 const ROUNDING = 4;
 
@@ -42,7 +45,8 @@ function shareOf(elapsed, whole) {
  * The disks over time. Positions in the world frame [m].
  *
  * Between two frames a disk flies on parabolas: one on from the earlier frame, one back from the later one. They meet
- * where it had one contact. Where it had more, a third parabola joins them, so that the path fits both frames.
+ * where it had one contact. Where it had more, a third parabola joins them, so that the path fits both frames. Frames
+ * far apart are joined by straight lines.
  */
 class Motion {
   /**
@@ -130,7 +134,9 @@ class Motion {
     const i = this.starts[track] + frame - this.firstFrames[track];
     const elapsed = time - this.times[frame];
     const goesOn = frame + 1 < this.firstFrames[track] + this.lengths[track];
-    if (goesOn && elapsed > 0) this.fly(i, elapsed, this.times[frame + 1] - this.times[frame], pose, place);
+    const span = goesOn ? this.times[frame + 1] - this.times[frame] : 0;
+    if (elapsed > 0 && span > LONGEST_FLIGHT) this.slide(i, frame, elapsed, span, pose, place);
+    else if (elapsed > 0 && goesOn) this.fly(i, elapsed, span, pose, place);
     else this.flyOn(i, elapsed, place);
     return this.keepInMachine(this.radii[track], pose, place, goesOn || elapsed === 0);
   }
@@ -176,6 +182,17 @@ class Motion {
     this.turn(i, elapsed, span, 0.5 * (leaves + arrives), place);
   }
 
+  /** Straight on from a state to the next one, as seen from the base. */
+  slide(i, frame, elapsed, span, pose, place) {
+    const [s0, n0] = Base.seenFrom(this.base.poseAt(this.times[frame]), this.x[i], this.y[i]);
+    const [s1, n1] = Base.seenFrom(this.base.poseAt(this.times[frame + 1]), this.x[i + 1], this.y[i + 1]);
+    const part = elapsed / span;
+    const {width} = this.base;
+    const way = this.base.isPeriodic ? s1 - s0 - width * Math.round((s1 - s0) / width) : s1 - s0;
+    [place.x, place.y] = Base.inWorld(pose, s0 + way * part, n0 + (n1 - n0) * part);
+    this.turn(i, elapsed, span, 0.5 * span, place);
+  }
+
   /** The spin changes at the contact; what is left over to the next angle is spread over the time. */
   turn(i, elapsed, span, contact, place) {
     const after = (t) => this.spin[i] * Math.min(t, contact) + this.spin[i + 1] * Math.max(0, t - contact);
@@ -187,17 +204,14 @@ class Motion {
 
   /** Moves a disk out of the base and, on a periodic one, into it. @return {boolean} whether it is in the machine */
   keepInMachine(radius, pose, place, stays) {
-    const dx = place.x - pose.x, dy = place.y - pose.y;
-    let s = dx * pose.cosine + dy * pose.sine;
-    let n = dy * pose.cosine - dx * pose.sine;
+    let [s, n] = Base.seenFrom(pose, place.x, place.y);
     const base = this.base;
     if (base.isPeriodic) s -= base.width * Math.floor(s / base.width);
     else if (base.machine.boundary === 'walled' && n < base.machine.wall_height)
       s = Math.min(base.width - radius, Math.max(radius, s));
     else if (!stays && (s < 0 || s > base.width)) return false;
     [s, n] = base.cleared(s, n, radius);
-    place.x = pose.x + s * pose.cosine - n * pose.sine;
-    place.y = pose.y + s * pose.sine + n * pose.cosine;
+    [place.x, place.y] = Base.inWorld(pose, s, n);
     return true;
   }
 

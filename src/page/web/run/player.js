@@ -1,6 +1,8 @@
 /** Speeds over that of the machine. */
 const SPEEDS = [0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
 
+const LONGEST_FRAME = 0.1;  // a pause of the browser, as of a hidden tab, is not caught up with [s]
+
 function speedText(speed) {
   return speed < 1 ? `1/${Math.round(1 / speed)}` : `${speed}\u00d7`;
 }
@@ -25,6 +27,13 @@ class Player {
 
   toggle() {
     if (this.playing) this.pause(); else this.play();
+  }
+
+  /** The time that play() goes on by, since the picture before [s]. */
+  elapsedTo(now) {
+    const elapsed = this.before === null ? 0 : Math.min(LONGEST_FRAME, (now - this.before) / 1000);
+    this.before = now;
+    return elapsed;
   }
 
   setSpeed(speed) {
@@ -58,11 +67,10 @@ class RunPlayer extends Player {
     if (this.time >= this.end) this.seek(this.start);
     this.playing = true;
     this.onChange();
-    let before = null;
+    this.before = null;
     const step = this.step = (now) => {
       if (!this.playing || this.step !== step) return;
-      if (before !== null) this.seek(this.time + this.speed * (now - before) / 1000);
-      before = now;
+      this.seek(this.time + this.speed * this.elapsedTo(now));
       if (this.time >= this.end) this.pause(); else requestAnimationFrame(step);
     };
     requestAnimationFrame(step);

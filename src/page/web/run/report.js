@@ -100,14 +100,24 @@ class Report {
     copyOnClick(byId('copy-scene'), () => this.run.scene.yaml, byId('scene'));
   }
 
+  /** What is shown of the motion, and how. @param {number} end of the run */
+  static motionText(motion, times, end) {
+    const cut = motion.cut ? `Of ${seconds(end)} the first ${seconds(times[motion.frames - 1])} are shown: a larger file ` +
+      '(--html-size) has more. ' : '';
+    return `${cut}Between the ${motion.frames} frames shown, disks fly on parabolas that fit the recorded positions and ` +
+      'velocities; between frames far apart they go straight on. Where a disk met others in between, its path is one of ' +
+      'several possible ones.';
+  }
+
   static thinningText(motion, times) {
     const {frames} = motion;
     if (!frames) return 'no disks: their positions were not recorded';
     const span = times[frames - 1] - times[0];
     const rate = span > 0 ? `, ${quantity((frames - 1) / span, '', 3)} a second` : '';
-    const which = motion.every > 1 ? `one frame of ${motion.every}, and the last: ${frames} of ${motion.taken} recorded frames`
+    const until = motion.cut ? `, until ${seconds(times[frames - 1])}` : '';
+    const which = motion.every > 1 || motion.cut ? `one frame of ${motion.every}${motion.cut ? '' : ', and the last'}: ${frames} of ${motion.taken} recorded frames`
       : `all ${frames} recorded frames`;
     const disks = motion.disk_every > 1 ? ` One disk of ${motion.disk_every} is shown: the disks do not see each other.` : '';
-    return `${which}${rate}; positions to ${quantity(motion.position_unit * 1e6, '\u00b5m', 2)}.${disks}`;
+    return `${which}${rate}${until}; positions to ${quantity(motion.position_unit * 1e6, '\u00b5m', 2)}.${disks}`;
   }
 }
