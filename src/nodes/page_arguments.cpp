@@ -31,9 +31,10 @@ CLI::Option* describe(CLI::App& app, PageArguments& arguments)
 
 void describeSize(CLI::App& app, PageArguments& arguments, CLI::Option* html)
 {
-  app.add_option("--html-size", arguments.megabytes,
-                 "Size of such a file at most [MB]: the motion is thinned to it, or ends before the run. Until "
-                 "then it takes up to ten times as much memory")
+  app.add_option(
+         "--html-size", arguments.megabytes,
+         "Size of such a file at most [MB]: the motion is thinned to it, or ends before the run. Until "
+         "then it takes up to ten times as much memory")
       ->type_name("MB")
       ->needs(html)
       ->check(within(SMALLEST_PAGE / BYTES_PER_MB, LARGEST_PAGE / BYTES_PER_MB, "MB"))
