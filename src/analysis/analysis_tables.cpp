@@ -181,10 +181,8 @@ std::string tableOf(const Observed& observed)
 
 std::vector<std::string> writeTables(const RunResult& result, const std::string& directory)
 {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error)
-    throw OutputError(directory + ": cannot be made a directory: " + error.message());
+  std::error_code ignored;
+  makeFolder(directory);
   std::vector<std::string> paths;
   const auto write = [&](const std::string& name, const std::string& text)
   {
@@ -206,7 +204,7 @@ std::vector<std::string> writeTables(const RunResult& result, const std::string&
   if (!result.observed.empty())
     write("observed.csv", observedTable(result));
   else  // that of an earlier run
-    std::filesystem::remove(std::filesystem::path(directory) / "observed.csv", error);
+    std::filesystem::remove(std::filesystem::path(directory) / "observed.csv", ignored);
   for (const Observed& observed : result.observed)
     write(observed.name + ".csv", tableOf(observed));
   return paths;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <exception>
 #include <functional>
+#include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -17,6 +18,7 @@
 #include "process_start.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
@@ -69,6 +71,15 @@ inline void print(const std::string& text)
     failToWrite("standard output", reason);
 }
 
+/// The status, once all that was printed through std::cout is out. @throws OutputError if it is not
+inline int whenPrinted(int status)
+{
+  if (std::cout.flush())
+    return status;
+  print("\n");  // once more, for the reason
+  failToWrite("standard output", "it was not written completely");
+}
+
 /// Prints one error line. @return the status
 inline int complain(const CLI::App& app, const std::string& what, int status)
 {
@@ -93,7 +104,7 @@ public:
     }
     catch (const std::exception& error)
     {
-      std::fprintf(stderr, "%s: %s\n", program_, error.what());
+      std::fprintf(stderr, "%s: %s\n", program_, errorText(error).c_str());
       complete_ = false;
     }
   }
@@ -183,12 +194,15 @@ inline int runProgram(CLI::App& app, int argc, char** argv, const std::function<
   describeHelp(app);
   try
   {
-    app.parse(argc, argv);
-    return program();
-  }
-  catch (const CLI::Success& request)
-  {
-    return app.exit(request);
+    try
+    {
+      app.parse(argc, argv);
+      return whenPrinted(program());
+    }
+    catch (const CLI::Success& request)
+    {
+      return whenPrinted(app.exit(request));
+    }
   }
   catch (const CLI::Error& error)
   {
@@ -200,7 +214,7 @@ inline int runProgram(CLI::App& app, int argc, char** argv, const std::function<
   }
   catch (const std::exception& error)
   {
-    return complain(app, error.what(), FAILED);
+    return complain(app, errorText(error), FAILED);
   }
 }
 

@@ -1,7 +1,6 @@
 #include "page_arguments.h"
 
 #include "command_line.h"
-#include "ratchet_sieve/recording/atomic_file.h"
 
 namespace ratchet_sieve
 {
@@ -9,12 +8,6 @@ namespace ratchet_sieve
 std::size_t PageArguments::bytes() const
 {
   return static_cast<std::size_t>(BYTES_PER_MB * megabytes);
-}
-
-std::unique_ptr<RunPage> PageArguments::open() const
-{
-  AtomicFile probe(path);  // before the run, not after it
-  return std::make_unique<RunPage>(bytes());
 }
 
 CLI::Option* describe(CLI::App& app, PageArguments& arguments)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -20,9 +19,6 @@ struct PageArguments
   bool isWanted() const { return !path.empty(); }
 
   std::size_t bytes() const;
-
-  /// The page, empty. @throws OutputError if its file cannot be written
-  std::unique_ptr<RunPage> open() const;
 };
 
 /// Describes --html and --html-size, which are parsed into `arguments`. @return --html

@@ -18,8 +18,10 @@ namespace
 /// A run may go on from the checkpoint that it then replaces.
 void requireDistinctFiles(const RunArguments& arguments, const std::string& feed_file)
 {
-  const std::string active = arguments.bag.empty() ? "" : arguments.bag + ".active";
-  std::vector<NamedFile> outputs = {{"--summary", arguments.summary},
+  const std::string active = arguments.bag.empty() ? "" : linkTarget(arguments.bag) + ".active";
+  const std::string stream = arguments.summary.empty() ? "/dev/stdout" : "";
+  std::vector<NamedFile> outputs = {{"standard output", stream},
+                                    {"--summary", arguments.summary},
                                     {"--collisions", arguments.collisions},
                                     {"--exits", arguments.exits},
                                     {"--bag", arguments.bag},
@@ -131,11 +133,12 @@ void RunOutputs::open(const RunArguments& arguments)
   }
   if (arguments.page.isWanted())
   {
-    page_ = arguments.page.open();
+    page_file_ = std::make_unique<AtomicFile>(arguments.page.path);
+    page_ = std::make_unique<RunPage>(arguments.page.bytes());
     // The name of the scene's file, without the folders of its writer.
     add(*page_, pageRates(arguments.page_rate),
-        [this, path = arguments.page.path, scene = std::filesystem::path(arguments.scene).filename().string()]
-        { page_->write(path, scene, warnings_); });
+        [this, scene = std::filesystem::path(arguments.scene).filename().string()]
+        { page_->write(std::move(*page_file_), scene, warnings_); });
   }
 }
 

@@ -46,6 +46,7 @@ private:
   BagOutput bag_;
   std::unique_ptr<TrajectoryFile> trajectory_;
   std::unique_ptr<RunPage> page_;
+  std::unique_ptr<AtomicFile> page_file_;
   std::vector<std::unique_ptr<GuardedSink>> sinks_;
   std::vector<FrameStream> streams_;
   std::vector<std::string> warnings_;  ///< of the page

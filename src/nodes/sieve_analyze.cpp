@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command_line.h"
@@ -47,7 +48,8 @@ void requireDistinctFiles(const Arguments& arguments)
   std::vector<NamedFile> bags;
   for (const std::string& bag : arguments.bags)
     bags.push_back({"BAG", bag});
-  std::vector<NamedFile> outputs = {{"--summary", arguments.summary}, {"--html", arguments.page.path}};
+  std::vector<NamedFile> outputs = {
+      {"standard output", "/dev/stdout"}, {"--summary", arguments.summary}, {"--html", arguments.page.path}};
   std::vector<NamedFile> files = bags;
   files.insert(files.end(), outputs.begin(), outputs.end());
   for (const NamedFile& table : outputsInFolder({"--out", arguments.directory}, files, {".csv", ".png"}))
@@ -55,9 +57,9 @@ void requireDistinctFiles(const Arguments& arguments)
   requireDistinct(bags, outputs);
 }
 
-void writePage(RunPage& page, const Arguments& arguments)
+void writePage(const RunPage& page, AtomicFile& file, const Arguments& arguments)
 {
-  page.write(arguments.page.path, std::filesystem::path(arguments.bags.front()).filename(), {});
+  page.write(std::move(file), std::filesystem::path(arguments.bags.front()).filename(), {});
   print("\nPage: " + arguments.page.path + "\n");
 }
 
@@ -76,7 +78,13 @@ int analyze(const Arguments& arguments)
   std::unique_ptr<AtomicFile> summary;
   if (!arguments.summary.empty())
     summary = std::make_unique<AtomicFile>(arguments.summary);
-  const std::unique_ptr<RunPage> page = arguments.page.isWanted() ? arguments.page.open() : nullptr;
+  std::unique_ptr<AtomicFile> page_file;
+  std::unique_ptr<RunPage> page;
+  if (arguments.page.isWanted())
+  {
+    page_file = std::make_unique<AtomicFile>(arguments.page.path);
+    page = std::make_unique<RunPage>(arguments.page.bytes());
+  }
   RunAnalysis analysis;
   readBags(arguments.bags, page ? static_cast<FrameSink&>(*page) : analysis);
   const RunResult result = (page ? page->analysis() : analysis).result();
@@ -91,7 +99,7 @@ int analyze(const Arguments& arguments)
         });
   outputs.attempt([&] { print(reportText(result)); });
   if (page)
-    outputs.attempt([&] { writePage(*page, arguments); });
+    outputs.attempt([&] { writePage(*page, *page_file, arguments); });
   if (!arguments.directory.empty())
     outputs.attempt([&] { status = writeTablesAndPlots(result, arguments); });
   return outputs.complete() ? status : FAILED;

@@ -1,7 +1,10 @@
 #include <cstdio>
+#include <filesystem>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "command_line.h"
@@ -14,6 +17,7 @@
 #include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/scene/shown_text.h"
 #include "ratchet_sieve/sweep/floor_check.h"
 #include "run_arguments.h"
 #include "run_outputs.h"
@@ -40,6 +44,15 @@ Simulation makeSimulation(const SceneDefinition& scene, const std::string& path)
     bar.show(poured, of);
   };
   return orRefuse<std::invalid_argument>([&] { return Simulation(scene, 0.0, observer); }, path + ": ");
+}
+
+/// @throws OutputError
+void requireReplaceable(const std::string& checkpoint)
+{
+  std::error_code ignored;
+  if (std::filesystem::is_fifo(checkpoint, ignored))
+    failToWrite(checkpoint, "it is a pipe; must be a file, which each checkpoint replaces");
+  const AtomicFile probe(checkpoint);
 }
 
 /// Has a run saved periodically. A full disk does not end it, but causes a warning.
@@ -119,7 +132,7 @@ int run(const RunArguments& arguments)
     start = begin(scene.definition, arguments.scene);
   RunOutputs outputs(arguments, scene.feed_file);
   if (!arguments.checkpoint.empty())  // before the pour, which may take long
-    orRefuse<OutputError>([&] { AtomicFile probe(arguments.checkpoint); });
+    orRefuse<OutputError>([&] { requireReplaceable(arguments.checkpoint); });
   announce(scene);
   if (pours)
     start = begin(scene.definition, arguments.scene);
@@ -148,6 +161,18 @@ int run(const RunArguments& arguments)
   return through && not_saved.empty() && checked && complete ? DONE : FAILED;
 }
 
+int runWithinMemory(const RunArguments& arguments)
+{
+  try
+  {
+    return run(arguments);
+  }
+  catch (const std::bad_alloc& error)
+  {
+    throw std::runtime_error(arguments.scene + ": " + errorText(error));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -156,5 +181,5 @@ int main(int argc, char** argv)
   CLI::App app("Run a scene of the ratchet sieve as fast as possible and print a summary as JSON.",
                "sieve_run");
   describe(app, arguments);
-  return runProgram(app, argc, argv, [&] { return run(arguments); });
+  return runProgram(app, argc, argv, [&] { return runWithinMemory(arguments); });
 }

@@ -36,6 +36,8 @@ void requireDistinctFiles(const CLI::App& app, const Sweep& sweep, const SweepAr
   std::vector<NamedFile> inputs = {{"SWEEP", arguments.sweep}};
   if (!sweep.scene_is_inside)
     inputs.push_back({"the sweep's scene", sweep.scene_source});
+  for (const std::string& file : sweep.feedFiles())
+    inputs.push_back({"feed.file", file});
   for (const std::string& part : arguments.parts)
     inputs.push_back({"FILE", part});
   std::vector<NamedFile> outputs = {{"--db", arguments.results}};
@@ -78,14 +80,6 @@ int listOnly(const Sweep& sweep, const SweepArguments& arguments)
   for (const std::string& line : costLines(sweep))
     std::fprintf(stderr, "sieve_sweep: %s\n", line.c_str());
   return DONE;
-}
-
-void makeFolder(const std::string& path)
-{
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error)
-    throw OutputError(path + ": cannot be made: " + error.message());
 }
 
 std::string titleOf(const std::string& sweep, const SweepCase& sweep_case)
@@ -156,8 +150,6 @@ int exportResults(const Sweep& sweep, const SweepArguments& arguments)
   if (arguments.out.empty())
   {
     exportCsv(sweep, arguments.results, std::cout);
-    if (!std::cout.flush())
-      throw OutputError("the results could not be written to standard output");
     return DONE;
   }
   AtomicFile file(arguments.out);

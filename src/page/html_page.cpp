@@ -81,10 +81,9 @@ std::string jsonForHtml(const nlohmann::ordered_json& json)
   return text;
 }
 
-void writePage(const std::string& path, const PageTemplate& page, const std::string& title,
+void writePage(AtomicFile&& file, const PageTemplate& page, const std::string& title,
                const nlohmann::ordered_json& json, const std::vector<PageData>& data)
 {
-  AtomicFile file(path);
   std::ostream& out = file.stream();
   out << page.head << htmlText(shownText(title)) << page.body;
   out << R"(<script type="application/json" id="data">)" << jsonForHtml(json) << "</script>\n";

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/recording/atomic_file.h"
 
 namespace ratchet_sieve
 {
@@ -42,9 +43,9 @@ std::string base64(const std::string& bytes);
 /// made so.
 std::string jsonForHtml(const nlohmann::ordered_json& json);
 
-/// Writes a page. @param json what the script shows; texts in it are data, never markup
+/// Writes a page, and commits its file. @param json what the script shows; texts in it are data, never markup
 /// @param data larger data, kept as base64 @throws OutputError
-void writePage(const std::string& path, const PageTemplate& page, const std::string& title,
+void writePage(AtomicFile&& file, const PageTemplate& page, const std::string& title,
                const nlohmann::ordered_json& json, const std::vector<PageData>& data = {});
 
 /// What the motion of the base and the outline of the machine follow from. SI units; undefined values are

@@ -183,7 +183,7 @@ void RunPage::take(const AnyFrame& any)
       commands_.push_back(*command);
 }
 
-void RunPage::write(const std::string& path, const std::string& title,
+void RunPage::write(AtomicFile&& file, const std::string& title,
                     const std::vector<std::string>& warnings) const
 {
   const RunResult result = analysis_.result();
@@ -212,7 +212,8 @@ void RunPage::write(const std::string& path, const std::string& title,
   const std::size_t for_motion = size_ > rest ? (size_ - rest) / 4 * 3 : 0;
   EncodedMotion motion = motion_->encoded(for_motion);
   json["motion"] = std::move(motion.description);
-  writePage(path, RUN_TEMPLATE, title, json, {{"series", series}, {"motion", std::move(motion.bytes)}});
+  writePage(std::move(file), RUN_TEMPLATE, title, json,
+            {{"series", series}, {"motion", std::move(motion.bytes)}});
 }
 
 FrameRates pageRates(double rate)

@@ -1,4 +1,5 @@
 #include <exception>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/scene/shown_text.h"
 #include "ratchet_sieve/sweep/database.h"
 #include "to_python.h"
 
@@ -58,6 +60,10 @@ void translateErrors()
         catch (const DatabaseError& error)
         {
           raise("ResultsError", error.what());
+        }
+        catch (const std::bad_alloc& error)
+        {
+          PyErr_SetString(PyExc_MemoryError, errorText(error).c_str());
         }
         catch (const OutputError& error)
         {

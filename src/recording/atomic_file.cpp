@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include <unistd.h>
-
 namespace ratchet_sieve
 {
 namespace
@@ -17,6 +15,12 @@ namespace fs = std::filesystem;
 
 /// As many as the kernel follows.
 constexpr int MOST_LINKS = 40;
+
+/// Of the name of a part, before a number.
+constexpr const char* PART = ".sieve_part";
+
+/// Another than of a file that is written under its own name: while it gets its name, others may replace it.
+constexpr off_t PART_BYTE = 1;
 
 bool isWrittenDirectly(const std::string& path)
 {
@@ -45,6 +49,13 @@ bool isFile(const NamedFile& file)
   return !file.path.empty() && !fs::is_other(file.path, ignored);
 }
 
+/// @throws OutputError if a program writes the file under its own name: it must not be replaced
+void requireUnlocked(const std::string& path)
+{
+  if (LockedFile::isLocked(path))
+    failToWrite(path, "another program is writing it");
+}
+
 }  // namespace
 
 std::string linkTarget(const std::string& path)
@@ -61,23 +72,52 @@ void failToWrite(const std::string& path, const std::string& reason)
   throw OutputError(path + ": cannot be written: " + reason);
 }
 
-AtomicFile::AtomicFile(const std::string& path)
-    : path_(isWrittenDirectly(path) ? path : linkTarget(path)),
-      written_path_(isWrittenDirectly(path) ? path : path_ + ".part" + std::to_string(getpid()))
+void makeFolder(const std::string& path)
 {
-  errno = 0;
-  stream_.open(written_path_, std::ios::binary | std::ios::trunc);
-  if (!stream_)
-    failToWrite(path_, std::strerror(errno));
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error)
+    throw OutputError(path + ": cannot be made: " + error.message());
+}
+
+AtomicFile::AtomicFile(const std::string& path) : path_(path), written_path_(path)
+{
+  if (isWrittenDirectly(path))
+    file_ = std::make_unique<LockedFile>(path);
+  else
+    openPart();
+  errno = file_->error();
+  if (errno == 0)
+    stream_.open(written_path_, std::ios::binary | std::ios::trunc);
+  if (stream_.is_open())
+    return;
+  const std::string reason = errno == EINTR ? "stopped while nobody read it" : std::strerror(errno);
+  discard();
+  failToWrite(path_, reason);
 }
 
 AtomicFile::~AtomicFile()
 {
-  if (committed_ || written_path_ == path_)
-    return;
-  stream_.close();
+  discard();
+}
+
+/// A part that another program writes is left alone; one that a killed program has left is written anew.
+void AtomicFile::openPart()
+{
+  path_ = linkTarget(path_);
+  requireUnlocked(path_);
+  for (int k = 1; !file_ || file_->error() == EAGAIN; ++k)
+  {
+    written_path_ = path_ + PART + (k > 1 ? std::to_string(k) : "");
+    file_ = std::make_unique<LockedFile>(written_path_, PART_BYTE);
+  }
+}
+
+void AtomicFile::discard()
+{
   std::error_code ignored;
-  fs::remove(written_path_, ignored);
+  if (file_ && file_->error() == 0 && written_path_ != path_)
+    fs::remove(written_path_, ignored);
 }
 
 void AtomicFile::finish()
@@ -102,12 +142,13 @@ void AtomicFile::commit()
   finish();
   if (written_path_ != path_)
   {
+    requireUnlocked(path_);
     std::error_code error;
     fs::rename(written_path_, path_, error);
     if (error)
       failToWrite(path_, error.message());
   }
-  committed_ = true;
+  file_.reset();
 }
 
 void requireDistinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs)

@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -23,13 +22,6 @@ constexpr std::uint64_t CHUNK_ENTRY = 96;  ///< of a connection: a record of the
 
 /// Reserved in advance, so that the disk is seldom asked [bytes].
 constexpr std::uint64_t RESERVED_AHEAD = std::uint64_t{1} << 20;
-
-/// Tries a lock that the kernel releases when the program ends in any way. File systems without locks always
-/// grant it.
-bool refusesLock(int descriptor, int kind)
-{
-  return flock(descriptor, kind | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-}
 
 /// @return 0, or the system's error if the disk is full, a quota is exceeded or a file may not be as large. A
 /// file system that cannot set room aside counts as large enough
@@ -51,27 +43,10 @@ void leave(std::unique_ptr<rosbag::Bag>& bag)
 }
 }  // namespace
 
-bool BagFile::isBeingWritten(const std::string& path)
+BagFile::BagFile(const std::string& path) : lock_(path)
 {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  // A file that cannot be opened for the check is assumed to be being written.
-  if (descriptor < 0)
-    return errno != ENOENT;
-  const bool refused = refusesLock(descriptor, LOCK_SH);
-  ::close(descriptor);
-  return refused;
-}
-
-BagFile::BagFile(const std::string& path)
-    : descriptor_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
-{
-  if (descriptor_ < 0)
-    throw BagError(std::strerror(errno));
-  if (refusesLock(descriptor_, LOCK_EX))
-  {
-    ::close(descriptor_);
-    throw BagError("another program is recording into it");
-  }
+  if (const int error = lock_.error())
+    throw BagError(error == EAGAIN ? "another program is recording into it" : std::strerror(error));
   try
   {
     if (const int error = reserve(FILE_HEADER))
@@ -84,7 +59,6 @@ BagFile::BagFile(const std::string& path)
   catch (const std::exception& error)
   {
     leave(bag_);
-    ::close(descriptor_);
     unlink(path.c_str());
     throw BagError(error.what());
   }
@@ -100,7 +74,6 @@ BagFile::~BagFile()
   {
     // Whoever wants to know calls close().
   }
-  ::close(descriptor_);
 }
 
 void BagFile::startMessage(const std::string& topic, const char* definition, ros::Time time,
@@ -189,7 +162,7 @@ int BagFile::reserve(std::uint64_t size)
   int error = 0;
   for (const std::uint64_t ahead : {RESERVED_AHEAD, std::uint64_t{0}})
   {
-    error = setRoomAside(descriptor_, size + ahead);
+    error = setRoomAside(lock_.descriptor(), size + ahead);
     if (error == 0)
     {
       reserved_ = size + ahead;
@@ -204,7 +177,7 @@ std::uint64_t BagFile::sizeOnDisk() const
   struct stat status
   {
   };
-  fstat(descriptor_, &status);
+  fstat(lock_.descriptor(), &status);
   return static_cast<std::uint64_t>(status.st_size);
 }
 
@@ -236,7 +209,7 @@ std::optional<BagFile::Loss> BagFile::close()
   }
   bag_.reset();
   // Gives back the room that it did not need. Where that fails, the file is no worse.
-  std::ignore = ftruncate(descriptor_, static_cast<off_t>(sizeOnDisk()));
+  std::ignore = ftruncate(lock_.descriptor(), static_cast<off_t>(sizeOnDisk()));
   if (failure_.empty())
     return std::nullopt;
   return Loss{failure_, end_};

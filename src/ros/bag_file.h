@@ -8,6 +8,7 @@
 
 #include <rosbag/bag.h>
 
+#include "ratchet_sieve/recording/locked_file.h"
 #include "ratchet_sieve/ros/bag.h"
 
 namespace ratchet_sieve
@@ -30,9 +31,6 @@ public:
   ~BagFile();
   BagFile(const BagFile&) = delete;
   BagFile& operator=(const BagFile&) = delete;
-
-  /// Whether this or another program has a BagFile open at this path.
-  static bool isBeingWritten(const std::string& path);
 
   /// @param time not earlier than the time of the previous message
   /// @param latched whether a replay keeps the message for later subscribers
@@ -59,6 +57,9 @@ public:
       abandon(error.what());
     }
   }
+
+  /// Whether a message was written.
+  bool hasBegun() const { return written_ > 0; }
 
   /// Bytes in the file, and bytes not yet compressed.
   std::uint64_t size() const;
@@ -87,7 +88,7 @@ private:
   std::uint64_t sizeOnDisk() const;
   [[noreturn]] void abandon(const std::string& reason);
 
-  int descriptor_;                    ///< has the lock, and the room set aside
+  LockedFile lock_;                   ///< has the room set aside
   std::unique_ptr<rosbag::Bag> bag_;  ///< null once it is closed or abandoned
   std::uint64_t reserved_ = 0;        ///< largest size of the file for which room is set aside
   std::set<std::string> topics_;

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <utility>
 
+#include <unistd.h>
+
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
 
@@ -34,6 +36,8 @@ void requireNothingOrFile(const std::string& path)
   const std::filesystem::file_status status = std::filesystem::status(path, none);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     throw BagError("it exists and is not a regular file");
+  if (LockedFile::isLocked(path))
+    throw BagError("another program is writing it");
 }
 
 /// Whether a file is a bag that was closed, or reindexed.
@@ -68,8 +72,8 @@ void setAside(const std::string& path, const std::string& active_path)
   std::error_code none;
   if (!std::filesystem::is_regular_file(active_path, none))
     return;
-  if (BagFile::isBeingWritten(active_path))
-    return;  // open() reports the error
+  if (LockedFile::isLocked(active_path) || access(active_path.c_str(), R_OK | W_OK) != 0)
+    return;  // BagFile reports the error
   const std::string unfinished = unfinishedPath(path);
   const bool indexed = isIndexedBag(active_path);
   if (std::rename(active_path.c_str(), unfinished.c_str()) != 0)
@@ -122,6 +126,8 @@ void BagWriter::close()
   if (!file_)
     return;
   const std::unique_ptr<BagFile> file = std::move(file_);
+  if (!file->hasBegun())
+    std::remove(active_path_.c_str());
   std::optional<BagFile::Loss> loss;
   try
   {
@@ -129,16 +135,18 @@ void BagWriter::close()
   }
   catch (const BagError& error)
   {
-    throw cannotBeWritten(path_, error.what() + ("; the bag is " + active_path_ + ", for `rosbag reindex`"));
+    throw cannotBeWritten(
+        path_,
+        error.what() + (file->hasBegun() ? "; the bag is " + active_path_ + ", for `rosbag reindex`" : ""));
   }
-  if (std::rename(active_path_.c_str(), path_.c_str()) != 0)
+  if (file->hasBegun() && std::rename(active_path_.c_str(), path_.c_str()) != 0)
     throw BagError(path_ + ": the bag cannot be renamed to it: " + std::strerror(errno) + "; the bag is " +
                    active_path_);
-  if (loss && loss->end.isZero())
-    throw cannotBeWritten(path_, loss->reason + "; the bag is empty");
   if (loss)
-    throw cannotBeWritten(path_,
-                          loss->reason + "; the bag ends at " + std::to_string(loss->end.toSec()) + " s");
+  {
+    const std::string end = "; the bag ends at " + std::to_string(loss->end.toSec()) + " s";
+    throw cannotBeWritten(path_, loss->reason + (file->hasBegun() ? end : ""));
+  }
 }
 
 std::uint64_t BagWriter::size() const

@@ -99,7 +99,7 @@ SceneParameter readSceneParameter(const ros::NodeHandle& node)
   if (const std::string keys = file.empty() ? "" : putOnTop(scene.root, tree); !keys.empty())
     ROS_INFO("%s, but %s of %s", file.c_str(), keys.c_str(), tree_source.c_str());
   applySettings(node, reader, scene.root);
-  sceneFromYaml(scene.root, scene.source);
+  scene.feed_file = sceneFromYaml(scene.root, scene.source).feed_file;
   return scene;
 }
 

@@ -19,7 +19,8 @@ YAML::Node yamlFromParameter(const XmlRpc::XmlRpcValue& value, const std::string
 struct SceneParameter
 {
   YAML::Node root;
-  std::string source;  ///< a path, or for example "parameter /sieve/scene"
+  std::string source;          ///< a path, or for example "parameter /sieve/scene"
+  std::string feed_file = {};  ///< its path, where feed.file was read
 };
 
 /// The scene of the file that the parameter `scene_file` names, or of the tree `scene`. Where both are given,

@@ -14,6 +14,7 @@
 #include "ratchet_sieve/live/journal.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/ros/nodes.h"
+#include "ratchet_sieve/scene/shown_text.h"
 #include "scene_parameters.h"
 #include "topic_publisher.h"
 
@@ -65,8 +66,9 @@ public:
               clock_.publish(control_.run().time());
             })
   {
-    requireDistinct({{"~scene_file", node_.param<std::string>("scene_file", "")}},
-                    {{"~record", parameters_.record}});
+    requireDistinct(
+        {{"~scene_file", node_.param<std::string>("scene_file", "")}, {"feed.file", scene.feed_file}},
+        {{"~record", parameters_.record}});
     if (!clock_.conflict().empty())
       ROS_WARN("%s", clock_.conflict().c_str());
     if (clock_.enabled() && !ros::Time::isSimTime())
@@ -231,7 +233,7 @@ int runSieve(const ros::NodeHandle& private_node, const std::atomic<bool>& stop)
   }
   catch (const std::exception& error)
   {
-    std::fprintf(stderr, "sieve_node: %s\n", error.what());
+    std::fprintf(stderr, "sieve_node: %s\n", errorText(error).c_str());
     return node ? 1 : stop ? 0 : 2;
   }
 }

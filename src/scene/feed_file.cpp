@@ -17,13 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";  ///< some programs begin a file of UTF-8 with it
 
-/// Relative to the scene's file; for a scene that is in no file, to the working directory.
-std::string pathOf(const Entry& feed, const std::string& path)
-{
-  std::error_code none;
-  return fs::exists(feed.source(), none) ? (fs::path(feed.source()).parent_path() / path).string() : path;
-}
-
 /// With or without quotes and blanks around each.
 std::vector<std::string> cellsOf(const std::string& line, char separator)
 {
@@ -60,12 +53,18 @@ std::map<std::string, std::size_t> placesOf(const std::set<std::string>& columns
 
 }  // namespace
 
+std::string pathFromScene(const std::string& source, const std::string& path)
+{
+  std::error_code none;
+  return fs::exists(source, none) ? (fs::path(source).parent_path() / path).string() : path;
+}
+
 std::string forEachRow(const Entry& feed, const std::set<std::string>& columns,
                        const std::function<void(const Entry&)>& visit)
 {
   FeedFile file;
   readValues(feed, FEED_FILE_KEYS, file);
-  std::string path = pathOf(feed, file.path.text);
+  std::string path = pathFromScene(feed.source(), file.path.text);
   std::error_code none;
   if (const auto why = whyUnreadable(path))
     feed.at("file").refuseValue(path == file.path.text ? *why : *why + ": " + path);

@@ -234,7 +234,7 @@ std::optional<CaseResult> runCase(const SweepCase& sweep_case, const CaseRunOpti
   }
   catch (const std::exception& error)
   {
-    result.error = error.what();
+    result.error = errorText(error);
   }
   result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <utility>
@@ -68,6 +70,8 @@ Database::Database(const std::string& path, Access access) : path_(path)
   const fs::file_status status = fs::status(path, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw DatabaseError(path + ": is no regular file");
+  if (access == Access::WRITE)
+    lock();
   // An absolute path, because SQLite treats some names specially. A reader without write
   // permission could not remove the files of the write-ahead log.
   open(fs::absolute(path).string(),
@@ -77,6 +81,18 @@ Database::Database(const std::string& path, Access access) : path_(path)
   if (needsWritableDirectory())
     openUnchanging();
   execute("PRAGMA query_only = 1");
+}
+
+/// Before SQLite opens the file, and until it has closed it: to close a descriptor ends SQLite's own locks.
+void Database::lock()
+{
+  std::error_code ignored;  // the file says why
+  fs::create_directories(fs::absolute(path_).parent_path(), ignored);
+  lock_ = std::make_unique<LockedFile>(path_);
+  if (lock_->error() == EAGAIN)
+    throw DatabaseError(path_ + ": another process runs a sweep into this file");
+  if (lock_->error() != 0)
+    throw DatabaseError(path_ + ": cannot be written: " + std::strerror(lock_->error()));
 }
 
 void Database::open(const std::string& name, int flags)

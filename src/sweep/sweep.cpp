@@ -314,6 +314,27 @@ std::vector<Assignment> Sweep::point(std::uint64_t point) const
   return all;
 }
 
+std::set<std::string> Sweep::feedFiles() const
+{
+  std::set<std::string> files;
+  const auto look = [&](const std::vector<Assignment>& step)
+  {
+    YAML::Node scene = copyableYaml(scene_text, scene_source);
+    for (const std::vector<Assignment>& assignments : {fixed, step})
+      for (const Assignment& assignment : assignments)
+        applyOverride(scene, assignment.key + '=' + assignment.value);
+    if (scene.IsMap() && scene["feed"].IsMap() && scene["feed"]["file"].IsScalar())
+      files.insert(pathFromScene(scene_source, scene["feed"]["file"].Scalar()));
+  };
+  look({});
+  for (const Axis& axis : axes)
+    if (std::any_of(axis.keys.begin(), axis.keys.end(),
+                    [](const std::string& key) { return key == "feed" || key == "feed.file"; }))
+      for (std::uint64_t k = 0; k < axis.size; ++k)
+        look(axis.at(k));
+  return files;
+}
+
 std::string Sweep::fingerprint() const
 {
   std::string text = std::to_string(PHYSICS_VERSION) + '\n' + scene_text + '\n';

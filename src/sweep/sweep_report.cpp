@@ -29,11 +29,8 @@ std::string failureText(const Database& database)
   return text;
 }
 
-/// The number that a live process runs.
 std::int64_t casesUnderWay(const Database& database)
 {
-  if (!ResultsLock::isHeld(database.path()))
-    return 0;
   return database
       .value("SELECT COUNT(*) FROM under_way JOIN plan USING (run_hash) WHERE physics = ?", {PHYSICS_VERSION})
       .get<std::int64_t>();
@@ -140,12 +137,13 @@ std::string statusText(const Sweep& sweep, const std::string& results)
 {
   if (!std::filesystem::exists(results))
     return countText(sweep.sizeOfPart(), "case") + ", not begun\n";
+  const bool is_run = LockedFile::isLocked(results);  // before SQLite opens it, see Database::lock()
   const SweepResults file(sweep, results, Database::Access::READ);
   const SweepCounts counts = file.counts();
   const WarningTally warnings = file.warnings();
   std::string text =
       fmt::format("{}: {} done, {} failed, {} under way, {} to go", countText(counts.cases, "case"),
-                  counts.done, counts.failed, casesUnderWay(file.database()), counts.open());
+                  counts.done, counts.failed, is_run ? casesUnderWay(file.database()) : 0, counts.open());
   text += warnings.warned() > 0 ? fmt::format(", {} with warnings\n", warnings.warned()) : "\n";
   if (!file.isListed())
     text +=

@@ -56,6 +56,8 @@ public:
   SweepRun(const Sweep& sweep, SweepResults& results, const SweepRunOptions& options)
       : sweep_(sweep), options_(options), results_(results), ledger_(sweep, results)
   {
+    makeFolder(workDirectory(results.database().path()));
+    removeLeftovers(results);
   }
   ~SweepRun()
   {
@@ -69,6 +71,8 @@ public:
     {
       // The next run takes them for those of a process that died.
     }
+    std::error_code ignored;  // it stays with the checkpoints in it
+    fs::remove(workDirectory(results_.database().path()), ignored);
   }
   SweepRun(const SweepRun&) = delete;
   SweepRun& operator=(const SweepRun&) = delete;
@@ -254,11 +258,9 @@ std::string fewerThreadsText(std::size_t threads, std::size_t wanted)
 
 SweepOutcome runSweep(const Sweep& sweep, const std::string& path, const SweepRunOptions& options)
 {
-  const ResultsLock lock(path);
   const std::unique_ptr<SweepResults> results = openResults(sweep, path, options);
   if (!results)
     return {{}, true};
-  removeLeftovers(*results);
   if (options.retry_failed)
     results->removeFailed();
   SweepOutcome outcome;
@@ -287,7 +289,6 @@ LegalCases requireMergeable(const Sweep& sweep, const std::vector<std::string>& 
 void mergeResults(const Sweep& sweep, const LegalCases& cases, const std::string& path,
                   const std::vector<std::string>& parts)
 {
-  const ResultsLock lock(path);
   SweepResults results(sweep, path, Database::Access::WRITE);
   if (!results.isListed())
     results.list(cases);

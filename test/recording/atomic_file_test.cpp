@@ -1,5 +1,7 @@
 #include "ratchet_sieve/recording/atomic_file.h"
 
+#include <cerrno>
+
 #include <gtest/gtest.h>
 
 #include "errors.h"
@@ -65,6 +67,43 @@ TEST(AtomicFile, WritesWhatALinkNamesAndKeepsTheLink)
     EXPECT_TRUE(fs::is_symlink(directory / "first"));
     EXPECT_TRUE(fs::is_symlink(directory / "second"));
   }
+}
+
+/// One that a killed program has left; only the lock tells it from one that is being written.
+TEST(AtomicFile, TakesAPartThatIsLeftAndNoneThatIsWritten)
+{
+  const ScratchDirectory directory;
+  const std::string path = directory / "out.txt";
+  std::ofstream(path + ".sieve_part") << "left by a killed program";
+  AtomicFile first(path);
+  first.stream() << "first";
+  AtomicFile second(path);
+  second.stream() << "second";
+  first.commit();
+  EXPECT_EQ(contents(path), "first");
+  second.commit();
+  EXPECT_EQ(contents(path), "second");
+  std::filesystem::remove(path);
+  EXPECT_TRUE(directory.empty());
+}
+
+/// By whichever name: a bag that is recorded, a results file.
+TEST(AtomicFile, ReplacesNoFileThatIsWrittenUnderItsOwnName)
+{
+  const ScratchDirectory directory;
+  const std::string path = directory / "run.bag.active";
+  const std::string link = directory / "link";
+  std::filesystem::create_symlink(path, link);
+  const std::string error = path + ": cannot be written: another program is writing it";
+  AtomicFile before(link);
+  {
+    const LockedFile written(path);
+    ASSERT_EQ(written.error(), 0);
+    EXPECT_EQ(LockedFile(link).error(), EAGAIN);
+    EXPECT_EQ(errorOf<OutputError>([&] { AtomicFile file(link); }), error);
+    EXPECT_EQ(errorOf<OutputError>([&] { before.commit(); }), error);
+  }
+  AtomicFile(link).commit();
 }
 
 TEST(AtomicFile, SaysWhenTheDiskIsFull)

@@ -1,6 +1,8 @@
 // What sieve_run writes where something is in the way: closed streams, one file named twice, full disks,
 // signals.
+#include <algorithm>
 #include <cstdlib>
+#include <map>
 
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -37,7 +39,7 @@ protected:
     return shell(before + std::string(std::getenv("SIEVE_RUN")) + " " + arguments + " --summary " +
                  (written_ / "s.json") + " --collisions " + (written_ / "c.csv") +
                  " 2>/dev/null & run=$!; while kill -0 $run && [ -z \"$(find " + (written_ / "") +
-                 " -name c.csv.part\\* -size +1)\" ]; do :; done; " + script + "; wait $run");
+                 " -name c.csv.sieve_part -size +1)\" ]; do :; done; " + script + "; wait $run");
   }
 };
 
@@ -79,6 +81,14 @@ TEST_F(SieveRunOutputs, AreNeitherInputsNorEachOther)
   ASSERT_EQ(run(own + " --duration 0.1 --checkpoint " + checkpoint).status, 0);
   expect_same(own + " --resume " + checkpoint + " --summary " + checkpoint, "--summary " + checkpoint,
               "--resume");
+#ifdef SIEVE_RUN_HAS_ROS
+  std::filesystem::create_symlink(written_ / "run.bag", streams_ / "link.bag");
+  const std::string active = written_ / "run.bag.active";
+  expect_same(own + " --summary " + active + " --bag " + (streams_ / "link.bag"), "--bag " + active,
+              "--summary");
+#endif
+  expectRefusal(own + " --html " + (streams_ / "output"),
+                "--html " + (streams_ / "output") + ": is the file of standard output; must be another one");
   EXPECT_EQ(run(own + " --duration 0.2 --resume " + checkpoint + " --checkpoint " + checkpoint +
                 " --summary /dev/null --collisions /dev/null")
                 .status,
@@ -143,6 +153,85 @@ TEST_F(SieveRunOutputs, AreThoseOfTheWholeRunUnderNohup)
 {
   EXPECT_EQ(whileItRuns(config("demo.yaml") + " --duration 10", "kill -HUP $run", "trap \"\" HUP; "), 0);
   EXPECT_EQ(Json::parse(contents(written_ / "s.json"))["simulated_time"], 10.0);
+}
+
+/// Neither a refused run nor one that is stopped in its pour replaces an output.
+TEST_F(SieveRunOutputs, StayAsTheyWereWhereTheRunDoesNotBegin)
+{
+  const std::string program = std::getenv("SIEVE_RUN");
+  std::string outputs = " --summary " + (written_ / "s.json") + " --collisions " + (written_ / "c.csv") +
+                        " --exits " + (written_ / "e.csv") + " --trajectory " + (written_ / "t.xyz") +
+                        " --html " + (written_ / "p.html") + " --checkpoint " + (written_ / "k");
+#ifdef SIEVE_RUN_HAS_ROS
+  outputs += " --bag " + (written_ / "run.bag");
+#endif
+  ASSERT_EQ(run(RUN + outputs).status, 0);
+  const auto files = [this]
+  {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(written_ / ""))
+      files[entry.path().filename()] = contents(entry.path());
+    return files;
+  };
+  const auto before = files();
+  for (const char* more : {" --trajectory x.foo", " --html no/p.html", " --checkpoint no/k",
+                           " --checkpoint /dev/full", " --resume no/k"})
+  {
+    const std::string option = std::string(more).substr(0, std::string(more).find(' ', 1));
+    const std::size_t at = outputs.find(option + " ");
+    const std::string others =
+        at == std::string::npos
+            ? outputs
+            : outputs.substr(0, at - 1) + outputs.substr(std::min(outputs.size(), outputs.find(" --", at)));
+    EXPECT_EQ(run(RUN + others + more).status, 2) << more;
+    EXPECT_TRUE(files() == before) << more;
+  }
+  const std::string large = " --set density=10000";
+  EXPECT_EQ(
+      shell(program + " " + RUN + outputs + large + " 2>/dev/null & run=$!; while kill -0 $run && [ ! -e " +
+            (written_ / "p.html.sieve_part") + " ]; do :; done; kill -INT $run; wait $run"),
+      1);
+  EXPECT_TRUE(files() == before);
+  EXPECT_EQ(
+      shell("ulimit -v 400000; " + program + " " + RUN + outputs + large + " 2>" + (streams_ / "errors")), 1);
+  EXPECT_NE(contents(streams_ / "errors").find("demo.yaml: not enough memory: "), std::string::npos)
+      << contents(streams_ / "errors");
+  EXPECT_TRUE(files() == before);
+}
+
+TEST_F(SieveRunOutputs, GoIntoPipesAsWholeFiles)
+{
+  const std::string pipe = streams_ / "pipe";
+  const std::string read = streams_ / "read";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string program = std::string(std::getenv("SIEVE_RUN")) + " " + RUN + " --summary ";
+  for (const char* option : {"", " --exits ", " --collisions ", " --html "})
+  {
+    const std::string summary = *option == '\0' ? "" : "/dev/null";
+    EXPECT_EQ(shell("cat " + pipe + " >" + read + " & " + program + summary + option + pipe +
+                    " 2>/dev/null && wait $!"),
+              0)
+        << option;
+    EXPECT_GT(contents(read).size(), 50u) << option;
+    EXPECT_EQ(contents(read).back(), '\n') << option;
+  }
+  expectRefusal(RUN + " --checkpoint " + pipe,
+                pipe + ": cannot be written: it is a pipe; must be a file, which each checkpoint replaces");
+}
+
+TEST_F(SieveRunOutputs, WaitForTheReaderOfAPipeUntilASignal)
+{
+  const std::string pipe = streams_ / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string summary = written_ / "s.json";
+  EXPECT_EQ(
+      shell(std::string(std::getenv("SIEVE_RUN")) + " " + RUN + " --summary " + summary + " --html " + pipe +
+            " 2>" + (streams_ / "errors") + " & run=$!; while kill -0 $run && [ ! -e " + summary +
+            ".sieve_part ]; do :; done; while kill -INT $run 2>/dev/null; do :; done; wait $run"),
+      2);
+  EXPECT_EQ(contents(streams_ / "errors"),
+            "sieve_run: " + pipe + ": cannot be written: stopped while nobody read it\n");
+  EXPECT_TRUE(written_.empty());
 }
 
 TEST_F(SieveRunOutputs, ResumesFromNoDeviceOrPipe)

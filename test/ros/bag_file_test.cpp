@@ -164,9 +164,9 @@ TEST(BagFile, staysLockedUntilItHasItsName)
   {
     BagFile file(path);
     EXPECT_FALSE(file.close());
-    EXPECT_TRUE(BagFile::isBeingWritten(path));
+    EXPECT_TRUE(LockedFile::isLocked(path));
   }
-  EXPECT_FALSE(BagFile::isBeingWritten(path));
+  EXPECT_FALSE(LockedFile::isLocked(path));
 }
 }  // namespace
 }  // namespace ratchet_sieve

@@ -8,6 +8,7 @@
 #include <topic_tools/shape_shifter.h>
 
 #include "caught_log.h"
+#include "file_size_limit.h"
 #include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/recording/version.h"
@@ -266,6 +267,31 @@ TEST(Bag, givesARunBackBitForBitAndIsLeftAloneBefore)
   EXPECT_TRUE(sameBits(read.bins, written.bins));
   EXPECT_TRUE(sameBits(read.bases, written.bases));
   EXPECT_TRUE(sameBits(read.statistics, written.statistics));
+}
+
+/// A run that is refused, or whose first message finds no room.
+TEST(Bag, replacesNothingBeforeItHasBegun)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "run.bag";
+  std::ofstream(path) << "an earlier one";
+  BagWriter(path, "/sieve");
+  {
+    const FileSizeLimit full(5'500);
+    BagWriter bag(path);
+    EXPECT_THROW(bag.take(makeSceneFrame(Simulation(smallMixture()))), BagError);
+    EXPECT_EQ(errorOf([&] { bag.close(); }), path + ": cannot be written: File too large");
+  }
+  EXPECT_EQ(contents(path), "an earlier one");
+  EXPECT_FALSE(std::filesystem::exists(path + ".active"));
+}
+
+TEST(Bag, replacesNoBagThatIsRecorded)
+{
+  const ScratchDirectory scratch;
+  const std::string active = scratch / "run.bag.active";
+  const BagWriter bag(scratch / "run.bag");
+  EXPECT_EQ(writingError(active), active + ": cannot be written: another program is writing it");
 }
 
 TEST(Bag, takesThePlaceOfNothingButAFile)

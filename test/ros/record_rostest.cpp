@@ -109,6 +109,8 @@ TEST_F(Record, refusesInOneLineWhatCannotBegin)
   const std::string file = scratch_ / "scene.yaml", nowhere = scratch_ / "nowhere/run.bag";
   const std::string scene = "species: [{name: A, count: 1, radius: 0.002, mass: 0.001}]\n";
   std::ofstream(file) << scene;
+  const std::string feed = scratch_ / "feed.csv";
+  std::ofstream(feed) << "time,species,radius,mass\n0.1,A,0.002,0.001\n";
   const std::vector<std::pair<Parameters, std::string>> bad = {
       {{{"record", bag()}, {"scene/base/asymmetry", 3.0}},
        "parameter /bad/scene: base.asymmetry = 3: must be "},
@@ -120,7 +122,9 @@ TEST_F(Record, refusesInOneLineWhatCannotBegin)
        "letter, such as s1\n"},
       {{{"record", nowhere}, {"publish_clock", false}}, nowhere + ": cannot be written: "},
       {{{"scene_file", file}, {"record", file}},
-       "~record " + file + ": is the file of ~scene_file; must be another one\n"}};
+       "~record " + file + ": is the file of ~scene_file; must be another one\n"},
+      {{{"scene_file", file}, {"scene/feed/file", feed}, {"record", feed}},
+       "~record " + feed + ": is the file of feed.file; must be another one\n"}};
   for (const auto& [parameters, error] : bad)
   {
     ros::param::del("/bad");

@@ -191,6 +191,8 @@ TEST(Recorder, saysWhereARelativePathIs)
   std::filesystem::current_path(before);
   recorder.open();
   EXPECT_EQ(recorder.path(), here / "run.bag");
+  CollectingSink shown;
+  recordRun(recorder, shown, 0.0, 0.1);
   recorder.close();
   EXPECT_TRUE(std::filesystem::exists(here / "run.bag"));
 }

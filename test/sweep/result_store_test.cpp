@@ -127,9 +127,10 @@ TEST_F(ResultStoreTest, RefusesAFileThatIsNone)
   const std::string foreign = directory_ / "foreign.db";
   Database(foreign, Database::Access::WRITE).execute("CREATE TABLE cases (a)");
   EXPECT_EQ(complaint(foreign), foreign + ": is no results file of sieve_sweep");
-  store_.database().execute("PRAGMA user_version = 999");
-  EXPECT_EQ(complaint(path_),
-            path_ + ": is a results file of format 999, but ratchet_sieve " + version() + " reads format 1");
+  const std::string later = directory_ / "later.db";
+  ResultStore(later, Database::Access::WRITE).database().execute("PRAGMA user_version = 999");
+  EXPECT_EQ(complaint(later),
+            later + ": is a results file of format 999, but ratchet_sieve " + version() + " reads format 1");
 }
 
 TEST(SummaryColumns, AreTheScalars)

@@ -72,6 +72,44 @@ TEST_F(SieveSweepHardship, OutputsAreNeitherTheSweepNorItsResults)
   EXPECT_EQ(contents(file), text);
 }
 
+/// Whether the scene, `set` or an axis names it.
+TEST_F(SieveSweepHardship, OutputsAreNotTheFeedOfACase)
+{
+  const std::string table = "time,species,radius,mass\n0.01,A,0.002,1\n";
+  std::vector<std::string> feeds;
+  for (const char* name : {"report/cases.csv", "set.csv", "grid.csv", "cases.csv"})
+  {
+    std::filesystem::create_directory(directory_ / "report");
+    feeds.push_back(written(directory_, name, table));
+  }
+  written(directory_, "scene.yaml",
+          "species: [{name: A, radius: 0.002, mass: 1}]\nduration: 0.02\nboundary: open\n"
+          "feed: {file: report/cases.csv}\n");
+  const auto expect_same = [&](const std::string& more, const std::string& feed)
+  {
+    const std::string file = sweep("scene: scene.yaml\n" + more);
+    ASSERT_EQ(run({"run", file}), 0) << errors();
+    EXPECT_EQ(run({"export", file, "--out", feed}), 2);
+    EXPECT_EQ(errors(), "sieve_sweep: --out " + feed + ": is the file of feed.file; must be another one\n");
+    EXPECT_EQ(contents(feed), table);
+  };
+  expect_same("", feeds[0]);
+  expect_same("set: {feed.file: set.csv}\n", feeds[1]);
+  expect_same("grid: {feed.file: [set.csv, grid.csv]}\n", feeds[2]);
+  expect_same("cases: [{feed: {file: cases.csv}}, {gravity: 9}]\n", feeds[3]);
+  EXPECT_EQ(run({"report", sweep("scene: scene.yaml\n"), "--out", directory_ / "report"}), 2);
+  EXPECT_EQ(contents(feeds[0]), table);
+}
+
+/// The directory of results is not made, or the file may not be written.
+TEST_F(SieveSweepHardship, NamesTheReasonWhereResultsCannotBeWritten)
+{
+  const std::string file = sweep(SMALL_SCENE);
+  const std::string results = "/proc/none/s.db";
+  EXPECT_EQ(run({"run", file, "--db", results}), 1);
+  EXPECT_EQ(errors(), "sieve_sweep: " + results + ": cannot be written: No such file or directory\n");
+}
+
 TEST_F(SieveSweepHardship, ResultsAreInAFile)
 {
   const std::string file = sweep(SMALL_SCENE);

@@ -96,13 +96,19 @@ TEST_F(SieveSweep, IsRefusedWhileAnotherProcessWritesTheResults)
   const std::string file = sweep(SMALL_SCENE + std::string("set: {duration: 1.0e+8, boundary: periodic}\n"));
   const std::string results = directory_ / "s.db";
   const pid_t child = start({"run", file}, "first");
-  while (!ResultsLock::isHeld(results) && waitpid(child, nullptr, WNOHANG) == 0)
+  while (!LockedFile::isLocked(results) && waitpid(child, nullptr, WNOHANG) == 0)
     usleep(1000);
   EXPECT_EQ(run({"run", file}), 1);
   EXPECT_EQ(errors(), "sieve_sweep: " + results + ": another process runs a sweep into this file\n");
+  const std::string link = directory_ / "link.db";
+  std::filesystem::create_hard_link(results, link);
+  EXPECT_EQ(run({"run", file, "--db", link}), 1);
+  EXPECT_EQ(errors(), "sieve_sweep: " + link + ": another process runs a sweep into this file\n");
+  EXPECT_EQ(run({"export", file, "--db", directory_ / "other.db", "--out", link}), 1);
+  EXPECT_EQ(errors(), "sieve_sweep: " + link + ": cannot be written: another program is writing it\n");
   kill(child, SIGKILL);
   end(child);
-  EXPECT_FALSE(ResultsLock::isHeld(results));
+  EXPECT_FALSE(LockedFile::isLocked(results));
 }
 
 TEST_F(SieveSweep, MergesItsPartsIntoTheTableOfOneRun)
@@ -186,7 +192,7 @@ TEST_F(SieveSweep, InterruptedSaysHowToGoOn)
   {
     const pid_t child = start({"run", file});
     // It handles signals once it has begun to write.
-    while (!std::filesystem::exists(directory_ / "s.db.d/lock") && waitpid(child, nullptr, WNOHANG) == 0)
+    while (!LockedFile::isLocked(directory_ / "s.db") && waitpid(child, nullptr, WNOHANG) == 0)
       usleep(1000);
     kill(child, signal);
     EXPECT_EQ(end(child), 1);
@@ -239,6 +245,18 @@ TEST_F(SieveSweep, ListsShowsAndExports)
   const std::string file = sweep(SMALL_SCENE + std::string("grid: {gravity: [8, 9]}\n"));
   EXPECT_EQ(run({"run", file, "--dry-run"}), 0);
   EXPECT_EQ(output(), "1: gravity=8\n2: gravity=9\n");
+  const std::string program = std::getenv("SIEVE_SWEEP");
+  for (const std::string& printing :
+       {"run " + file + " --dry-run", std::string("--help"), std::string("--version")})
+  {
+    const int status =
+        std::system((program + " " + printing + " >/dev/full 2>" + (directory_ / "full")).c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1) << printing;
+    EXPECT_NE(contents(directory_ / "full")
+                  .find("sieve_sweep: standard output: cannot be written: No space left on device\n"),
+              std::string::npos)
+        << contents(directory_ / "full");
+  }
   EXPECT_EQ(errors().rfind("sieve_sweep: 2 cases: about ", 0), 0u) << errors();
   EXPECT_NE(errors().find("\nsieve_sweep: gravity=9: about "), std::string::npos) << errors();
   EXPECT_FALSE(std::filesystem::exists(directory_ / "s.db"));

@@ -270,8 +270,8 @@ TEST_F(SweepRunTest, FindsTheCaseAtWhichProcessesDie)
   SweepRunOptions none;
   none.stop_wanted = [] { return true; };
   runSweep(sweep, results_, none);
-  const ResultsLock lock(results_);
   SweepResults results(sweep, results_, Database::Access::WRITE);
+  std::filesystem::create_directory(workDirectory(results_));
   const auto begun = [](SweepLedger& ledger) { return ledger.exchange({}).value_or(NONE); };
   SweepLedger first(sweep, results);
   EXPECT_EQ(begun(first), 0u);
@@ -296,8 +296,8 @@ TEST_F(SweepRunTest, FindsTheCaseAtWhichProcessesDie)
 TEST_F(SweepRunTest, BeginsASuspectOnce)
 {
   const Sweep sweep = load("");
-  const ResultsLock lock(results_);
   SweepResults results(sweep, results_, Database::Access::WRITE);
+  std::filesystem::create_directory(workDirectory(results_));
   results.list(*legalCases(sweep));
   SweepLedger(sweep, results).exchange({});
   SweepLedger ledger(sweep, results);

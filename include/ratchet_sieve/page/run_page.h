@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ratchet_sieve/analysis/run_analysis.h"
+#include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
@@ -35,11 +36,10 @@ public:
 
   const RunAnalysis& analysis() const { return analysis_; }
 
-  /// Writes the page. @param title such as the name of the scene's file
+  /// Writes the page, and commits its file. @param title such as the name of the scene's file
   /// @param warnings of the run; those that follow from its scene are added
   /// @throws AnalysisError if no scene was taken @throws OutputError
-  void write(const std::string& path, const std::string& title,
-             const std::vector<std::string>& warnings) const;
+  void write(AtomicFile&& file, const std::string& title, const std::vector<std::string>& warnings) const;
 
 private:
   void begin(const SceneFrame& frame);

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <fstream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "ratchet_sieve/recording/locked_file.h"
 
 namespace ratchet_sieve
 {
@@ -17,17 +20,20 @@ struct OutputError : std::runtime_error
 /// @throws OutputError
 [[noreturn]] void failToWrite(const std::string& path, const std::string& reason);
 
+/// Makes a folder, and those that it is in. @throws OutputError
+void makeFolder(const std::string& path);
+
 /// The path that a symbolic link names, which need not exist; any other path as it is.
 std::string linkTarget(const std::string& path);
 
-/// A file that is written completely or not at all: into a temporary file in the same directory, which
-/// commit() renames. A symbolic link stays, and the file that it names is written. Anything that is not a
-/// regular file (a device, a pipe) is written directly.
+/// A file that is written completely or not at all: into a part beside it, FILE.sieve_part, which commit()
+/// renames. A symbolic link stays, and the file that it names is written. Anything that is not a regular file
+/// (a device, a pipe) is written directly. A pipe is opened once, so that its reader sees one end.
 class AtomicFile
 {
 public:
-  /// Opens the file. @throws OutputError if it cannot be opened
-  explicit AtomicFile(const std::string& path);
+  /// Opens the file. Not explicit: a path is an output. @throws OutputError if it cannot be opened
+  AtomicFile(const std::string& path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -42,10 +48,13 @@ public:
   void commit();
 
 private:
+  void openPart();
+  void discard();
+
   std::string path_;
   std::string written_path_;
+  std::unique_ptr<LockedFile> file_;  ///< null once committed
   std::ofstream stream_;
-  bool committed_ = false;
 };
 
 /// An output that is an input or another output. The message names both arguments.

@@ -49,7 +49,8 @@ public:
   /// sieve.
   void take(const AnyFrame& frame) override;
 
-  /// Writes the index and gives the file its final name. Nothing may be taken afterwards.
+  /// Writes the index and gives the file its final name; where nothing was taken, it is removed, and one of
+  /// that name stays. Nothing may be taken afterwards.
   /// @throws BagError if something was lost; the message names the file with the rest
   void close();
 

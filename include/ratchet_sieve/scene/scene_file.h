@@ -60,6 +60,10 @@ Scene sceneFromText(const std::string& text, const std::string& source,
 /// @param scene as it was read: every count is set
 std::vector<std::string> implausibilities(const SceneDefinition& scene);
 
+/// The path of a file that a scene names: relative to the scene's file; for a scene that is in no file, to
+/// the working directory. @param source of the scene
+std::string pathFromScene(const std::string& source, const std::string& path);
+
 /// Why a file cannot be opened for reading: "no such file", "is a directory" or the system's message; nothing
 /// if it can.
 std::optional<std::string> whyUnreadable(const std::string& path);

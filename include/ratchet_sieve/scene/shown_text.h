@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
+#include <new>
 #include <string>
 
 namespace ratchet_sieve
@@ -18,6 +20,14 @@ inline std::string shownText(std::string text, std::size_t longest = 60)
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == DELETE; }, ' ');
   return text;
+}
+
+/// What a program says of an error that ends it.
+inline std::string errorText(const std::exception& error)
+{
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+    return "not enough memory: fewer disks (species.N.count) or lower frame rates need less";
+  return error.what();
 }
 
 /// A line with the id of its rule in brackets at the end, so that warnings can be counted and looked up.

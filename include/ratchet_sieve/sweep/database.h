@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
+
+#include "ratchet_sieve/recording/locked_file.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -38,9 +41,9 @@ public:
   enum class Access
   {
     READ,   ///< of an existing file, possibly in a read-only directory
-    WRITE,  ///< of an existing or a new file
+    WRITE,  ///< of an existing or a new file, by one program at a time
   };
-  /// @throws DatabaseError
+  /// @throws DatabaseError, also if another program has the file open for writing
   Database(const std::string& path, Access access);
   ~Database();
   Database(const Database&) = delete;
@@ -64,11 +67,13 @@ public:
   sqlite3* handle() const { return connection_; }
 
 private:
+  void lock();
   void open(const std::string& name, int flags);
   bool needsWritableDirectory() const;
   void openUnchanging();
 
   std::string path_;
+  std::unique_ptr<LockedFile> lock_;  ///< of a writer
   sqlite3* connection_ = nullptr;
 };
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,9 @@ public:
 
   /// The assignments of a setting, without `fixed`. @pre point < points()
   std::vector<Assignment> point(std::uint64_t point) const;
+
+  /// What feed.file names in any case, read or not.
+  std::set<std::string> feedFiles() const;
 
   /// 16 hexadecimal digits that identify the sweep, its part, its scene and the version of the physics.
   std::string fingerprint() const;

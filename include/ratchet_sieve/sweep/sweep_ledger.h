@@ -12,32 +12,13 @@
 namespace ratchet_sieve
 {
 
-/// The directory of checkpoints and of the lock, beside the results file.
+/// The directory of checkpoints, beside the results file.
 std::string workDirectory(const std::string& results);
 
 /// The checkpoint of a case, which holds for one physics version, as a result does; the names of all end with
 /// checkpointEnding().
 std::string checkpointPath(const std::string& results, const std::string& run_hash);
 const std::string& checkpointEnding();
-
-/// Held by the one process that writes a results file. The kernel releases it even if the process is killed.
-class ResultsLock
-{
-public:
-  /// Makes the work directory. @throws DatabaseError, also if another process holds the lock
-  explicit ResultsLock(const std::string& results);
-
-  /// Removes the work directory if nothing else is in it.
-  ~ResultsLock();
-  ResultsLock(const ResultsLock&) = delete;
-  ResultsLock& operator=(const ResultsLock&) = delete;
-
-  static bool isHeld(const std::string& results);
-
-private:
-  std::string directory_;
-  int descriptor_ = -1;
-};
 
 /// What a run writes to the results file, and the sweep's progress in it. The file lists the cases under way,
 /// so that those of a process that died are known. Such a case is suspect until it writes a checkpoint or
@@ -46,7 +27,7 @@ class SweepLedger
 {
 public:
   /// Makes the cases under way suspect, for their process died. Those whose process died twice at the same
-  /// place get a result: they failed. @pre this process holds the ResultsLock @throws DatabaseError
+  /// place get a result: they failed. @pre the results were opened for writing @throws DatabaseError
   SweepLedger(const Sweep& sweep, SweepResults& results);
 
   /// One line on the cases that failed so, empty if there are none.
