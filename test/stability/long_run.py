@@ -16,7 +16,7 @@ PHASE = math.acos(GRAVITY * (1.0 - RESTITUTION) / (2.0 * FREQUENCY * AMPLITUDE *
 SETTLED = 60.0  # time at which the run has converged to the orbit [s]
 WATCHED = 20.0  # [s]
 HEAD = ("| Simulated time | Collisions so far | Hits watched | Largest deviation from the orbit's phase [rad] "
-        "| Of that, a double's resolution of the time | Largest overlap so far / radius |\n|---|---|---|---|---|---|\n")
+        "| A double's resolution of that time | Largest overlap so far / radius |\n|---|---|---|---|---|---|\n")
 
 
 def scene():

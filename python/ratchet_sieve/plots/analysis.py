@@ -6,7 +6,8 @@ from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 from ratchet_sieve.plots.curves import distribution, signed
 from ratchet_sieve.plots.observed import PLACES, drawings_of_observed
 from ratchet_sieve.plots.program import parser_of, run_of, run_program, write
-from ratchet_sieve.plots.style import COLOURS, GREY, MM, UJ, any_defined, beside, describe, panels, say_undefined
+from ratchet_sieve.plots.style import (COLOURS, GREY, MM, UJ, any_defined, beside, coloured, describe, panels,
+                                       say_undefined)
 from ratchet_sieve.tables import read_table
 
 FEWEST_DISKS = 5  # of which a distribution is drawn
@@ -15,7 +16,7 @@ CONTACTS = {'disk_disk': 'disk-disk', 'left_slope': 'left slope', 'right_slope':
 
 
 def plot_bins(axes, bins):
-    for colour, (species, part) in zip(COLOURS, bins.by('species').items()):
+    for colour, (species, part) in coloured(bins.by('species').items()):
         for place, line, width in (*((place, line, None) for place, line in PLACES.items()), ('on_base', ':', 1.0)):
             axes.step(part.numbers('time'), part.numbers(place), where='post', color=colour, linestyle=line,
                       linewidth=width, label=f"{species} {place.replace('on_', 'on the ')}")
@@ -49,7 +50,7 @@ def plot_drive(axes, drive, quantity, label, colour, scale=1.0):
 
 
 def plot_drift(axes, drift):
-    for colour, (species, part) in zip(COLOURS, drift.by('species').items()):
+    for colour, (species, part) in coloured(drift.by('species').items()):
         axes.plot(part.numbers('time'), part.numbers('displacement', MM), color=colour, label=species)
     signed(axes)
     describe(axes, 'Drift: mean displacement of the disks since each entered', 'displacement [mm]')
@@ -137,8 +138,8 @@ def draw_velocities(directory):
     figure, (axes, bars) = panels(1, 2, (7.5, 3.2), None, sharey=True, gridspec_kw={'width_ratios': (3, 1.2)})
     names = list(finals.by('species'))
     settled = []
-    for colour, name, final, final_error in zip(COLOURS, names, finals.numbers('mean_vx', MM),
-                                                finals.numbers('mean_vx_stderr', MM)):
+    for colour, (name, final, final_error) in coloured(zip(names, finals.numbers('mean_vx', MM),
+                                                           finals.numbers('mean_vx_stderr', MM))):
         part = statistics.where({'species': name})
         mean, error = part.numbers('mean_vx', MM), np.nan_to_num(part.numbers('mean_vx_stderr', MM))
         axes.plot(part.numbers('time'), mean, color=colour, label=name)
@@ -173,7 +174,7 @@ def steady(values):
 def draw_temperature(directory):
     statistics = read_table(directory / 'statistics.csv')
     figure, axes = panels(1, 1, (6.5, 3.0), None)
-    for colour, (species, part) in zip(COLOURS, statistics.by('species').items()):
+    for colour, (species, part) in coloured(statistics.by('species').items()):
         axes.plot(part.numbers('window_end'), positive(part.numbers('granular_temperature', UJ)), color=colour,
                   linewidth=1.0, label=species)
     scale_by_decades(axes)

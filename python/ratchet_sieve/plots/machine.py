@@ -4,7 +4,7 @@ from matplotlib.collections import PatchCollection
 from matplotlib.patches import Circle
 
 from ratchet_sieve.base import in_world, surface
-from ratchet_sieve.plots.style import COLOURS, GREY, MM
+from ratchet_sieve.plots.style import COLOURS, GREY, MM, coloured
 
 TEETH = "#BBBBBB"
 DEPTH = 0.5    # of the drawn base below its lowest corner, in widths of a tooth
@@ -33,7 +33,7 @@ def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0), specie
     columns = disks.dtype.names if isinstance(disks, np.ndarray) else disks
     kinds = np.array([str(kind) for kind in disks["species"]], dtype=str)
     xs, ys, radii = (np.array(disks[name], dtype=float) for name in ("x", "y", "radius"))
-    for colour, kind in zip(COLOURS, species or dict.fromkeys(kinds)):
+    for colour, kind in coloured(species or dict.fromkeys(kinds)):
         own = kinds == kind
         detailed = own.any() and radii[own].max() > DETAILED * corners[-1][0]
         circles(axes, xs[own], ys[own], radii[own], facecolor=colour, edgecolor="white",

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from ratchet_sieve.plots.curves import signed
-from ratchet_sieve.plots.style import COLOURS, MM, UJ, any_defined, beside, describe, panels, say_undefined
+from ratchet_sieve.plots.style import MM, UJ, any_defined, beside, coloured, describe, panels, say_undefined
 from ratchet_sieve.tables import read_table
 
 G = 1e3  # per kg
@@ -17,7 +17,7 @@ FLOW_POINTS = 40   # of a curve of the mass flow
 
 def parts(table):
     """Of each bin and species: colour, line, label, and its lines of the table."""
-    for colour, (species, own) in zip(COLOURS, table.by('species').items()):
+    for colour, (species, own) in coloured(table.by('species').items()):
         for place, line in PLACES.items():
             part = own.where({'place': place})
             if len(part):
@@ -76,7 +76,7 @@ def draw_height_profile(directory):
     figure, axes = panels(1, len(PROFILES), (9.5, 3.8), None, sharey=True)
     phases = list(table.by('phase_from'))
     drawn = phases[::math.ceil(len(phases) / MOST_PHASES_DRAWN)] if phases else []
-    for colour, (species, own) in zip(COLOURS, table.by('species').items()):
+    for colour, (species, own) in coloured(table.by('species').items()):
         for line, phase in zip(PHASE_LINES, drawn):
             part = own.where({'phase_from': phase})
             label = species if len(phases) == 1 else f'{species}, phase {float(phase) / math.pi:.2g} π'
@@ -112,7 +112,7 @@ def draw_size_classes(directory):
     table = read_table(directory / 'size_classes.csv')
     names = list(table.by('species'))
     figure, axes = panels(2, max(len(names), 1), (2.5 + 3.0 * len(names), 4.4), None, squeeze=False, sharex='col')
-    for column, (colour, (species, part)) in enumerate(zip(COLOURS, table.by('species').items())):
+    for column, (colour, (species, part)) in enumerate(coloured(table.by('species').items())):
         edges = np.append(part.numbers('radius_from', MM), part.numbers('radius_to', MM)[-1:])
         shares, velocities = axes[0, column], axes[1, column]
         below, full = np.zeros(len(part)), np.array(matplotlib.colors.to_rgb(colour))

@@ -4,7 +4,7 @@ from ratchet_sieve.plots.curves import distribution
 from ratchet_sieve.plots.machine import trajectories
 from ratchet_sieve.plots.means import Means, draw_curves, draw_map
 from ratchet_sieve.plots.observed import PLACES
-from ratchet_sieve.plots.style import COLOURS, GREY, drawing, legend_above, say_undefined
+from ratchet_sieve.plots.style import GREY, coloured, drawing, legend_above, say_undefined
 from ratchet_sieve.stats import density_of
 from ratchet_sieve.tables import rows_of
 
@@ -52,7 +52,7 @@ def displacements(run, frame=-1, width=None, axes=None):
     with drawing(axes, SIZE) as axes:
         disks = run.frames.disks[frame]
         width = width or BIN * run.scene.width / run.scene["base.teeth"]
-        for kind, (colour, name) in enumerate(zip(COLOURS, run.scene.species)):
+        for kind, (colour, name) in enumerate(coloured(run.scene.species)):
             values = disks["displacement"][disks["species"] == kind]
             if len(values):
                 distribution(axes, *density_of(values, width), color=colour, label=name)
@@ -97,7 +97,7 @@ def bins(run, axes=None):
     @throws ValueError the run has no frames"""
     run._require_frames()
     with drawing(axes, SIZE) as axes:
-        for colour, (name, counts) in zip(COLOURS, run.frames.bins.items()):
+        for colour, (name, counts) in coloured(run.frames.bins.items()):
             for end, line in PLACES.items():
                 axes.plot(run.frames.time, counts[end], line, color=colour, label=f"{name}, {end}")
         axes.set(xlabel="time [s]", ylabel="disks that left")

@@ -3,6 +3,7 @@ import contextlib
 import math
 
 from matplotlib import style
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from ratchet_sieve.tables import writing
@@ -30,6 +31,13 @@ STYLE = {
     "lines.linewidth": 1.4,
     "svg.hashsalt": "ratchet_sieve",
 }
+
+
+def coloured(items):
+    """Pairs of a colour and an item. From the seventh on the colours come again, each time half as strong."""
+    for k, item in enumerate(items):
+        repeats, place = divmod(k, len(COLOURS))
+        yield tuple(1.0 - (1.0 - part) / 2.0**repeats for part in to_rgb(COLOURS[place])), item
 
 
 def styled():

@@ -7,6 +7,12 @@ function padded(low, high) {
   return [low - 0.06 * span, high + 0.06 * span];
 }
 
+/** Numbers at an axis, with the decimals that their distance has. */
+function tickTexts(u, splits, axis, space, distance) {
+  const decimals = distance.toFixed(12).replace(/0+$/, '').split('.')[1].length;
+  return splits.map((value) => value === null ? '' : value.toFixed(decimals).replace(/^-(?=.*[1-9])/, '\u2212').replace(/^-/, ''));
+}
+
 /**
  * A chart over a common axis.
  * @param {HTMLElement} parent
@@ -22,7 +28,7 @@ function addChart(parent, chart, common) {
   const place = element('div', {role: 'img', 'aria-label': chart.title});
   box.append(place);
   const line = () => themeColour('--line');
-  const axis = {stroke: () => themeColour('--quiet'), grid: {stroke: line, width: 1}, ticks: {stroke: line, width: 1}};
+  const axis = {values: tickTexts, stroke: () => themeColour('--quiet'), grid: {stroke: line, width: 1}, ticks: {stroke: line, width: 1}};
   const size = () => ({width: Math.max(200, parent.clientWidth), height: chart.height || CHART_HEIGHT});
   const mark = element('div', {class: 'present'});
 

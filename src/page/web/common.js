@@ -70,10 +70,11 @@ function openPage(make) {
   });
 }
 
-/** A name with a dot in its colour. */
-function marked(name, colour) {
+/** A name with a dot in its colour, or a ring as its disks are drawn. */
+function marked(name, k) {
   const mark = element('span', {class: 'mark'});
-  mark.style.background = colour;
+  mark.style.border = `.17em solid ${colourOf(k)}`;
+  if (!isRepeated(k)) mark.style.background = colourOf(k);
   return element('span', {}, mark, name);
 }
 
@@ -142,6 +143,17 @@ const PALETTE = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9
 
 function colourOf(k) {
   return PALETTE[k % PALETTE.length];
+}
+
+/** Whether k has the colour of an earlier one: its disks are hollow, and its lines dotted. */
+function isRepeated(k) {
+  return k >= PALETTE.length;
+}
+
+/** The dashes of a line of k as an option of uPlot. @param {boolean} isOther of two lines of k */
+function dashesOf(k, isOther = false) {
+  const dashes = isRepeated(k) ? (isOther ? [6, 3, 1.5, 3] : [1.5, 3]) : isOther ? [6, 4] : null;
+  return dashes ? {dash: dashes} : {};
 }
 
 /** A colour of the style sheet, such as --line. */

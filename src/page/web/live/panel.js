@@ -113,7 +113,7 @@ class Panel {
     byId('separation').value = ratio(separation).replace('-', '\u2212');
     byId('disks').value = String(disks);
     byId('events').value = quantity(events, '', 6);
-    byId('factor').value = factor === null ? '' : `${factor.toFixed(2)}\u00d7 real time`;
+    byId('factor').value = factor === null ? '' : quantity(factor, '\u00d7 real time', 3);
   }
 
   /** An error, which is read out, and what is wrong with the run. */

@@ -44,7 +44,7 @@ class Readings {
     this.cells = this.species.map(() => ['left', 'on_base', 'right'].map(() => element('span')));
     byId('bins').hidden = !bins.areUsed;
     if (bins.areUsed) fillTable(byId('bins'), ['species', 'left bin', 'on the base', 'right bin'],
-      this.species.map(({name}, k) => [marked(name, colourOf(k)), ...this.cells[k]]));
+      this.species.map(({name}, k) => [marked(name, k), ...this.cells[k]]));
   }
 
   show(time) {

@@ -73,7 +73,7 @@ class Curves {
     const series = [];
     const columns = [];
     this.names.forEach((name, k) => ['left', 'right'].forEach((bin) => {
-      series.push(Curves.stepped(`${name} ${bin}`, colourOf(k), bin === 'left' ? {dash: [6, 4]} : {}));
+      series.push(Curves.stepped(`${name} ${bin}`, colourOf(k), dashesOf(k, bin === 'left')));
       columns.push(columnOf(this.series.bins.species[k], bin));
     }));
     return {series, data: this.held(...columns)};
@@ -107,7 +107,7 @@ class Curves {
         mean === null || each.mean_vx_stderr[i] === null ? null : MM * (mean + sign * each.mean_vx_stderr[i]));
       const colour = colourOf(k);
       const edge = {stroke: colour + '60', width: 0.5, class: 'edge'};
-      series.push({label: this.names[k], stroke: colour}, {...edge, label: this.names[k] + ' + error'},
+      series.push({label: this.names[k], stroke: colour, ...dashesOf(k)}, {...edge, label: this.names[k] + ' + error'},
         {...edge, label: this.names[k] + ' \u2212 error'});
       data.push(each.mean_vx.map((mean) => mean === null ? null : MM * mean), shifted(1), shifted(-1));
       bands.push({series: [3 * k + 2, 3 * k + 3], fill: colour + '30'});

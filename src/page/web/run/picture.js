@@ -231,9 +231,12 @@ class Picture {
 
   /** @param {Array<Path2D>} paths of each species */
   fillDisks(context, paths) {
+    context.lineWidth = 2 / this.view.scale;
     paths.forEach((path, species) => {
-      context.fillStyle = colourOf(species);
+      context.fillStyle = isRepeated(species) ? themeColour('--ground') : colourOf(species);
       context.fill(path);
+      context.strokeStyle = colourOf(species);
+      if (isRepeated(species)) context.stroke(path);
     });
   }
 

@@ -20,7 +20,7 @@ class Report {
 
   showResults() {
     const results = this.results;
-    const columns = [['species', (species, k) => marked(species.name, colourOf(k))],
+    const columns = [['species', (species, k) => marked(species.name, k)],
       ['disks', (species) => quantity(species.count, '', 15)],
       ['\u27e8V_x\u27e9', (species) => withError(species.mean_vx, species.mean_vx_stderr, 'mm/s', MM)],
       ['granular temperature', (species) => quantity(species.granular_temperature, 'J')]];
