@@ -37,12 +37,12 @@ std::string ratioText(const Json& ratio)
   return numberText(ratio, "{:.3f}");
 }
 
-std::string velocityText(const Json& species)
+/// @param by "engine_" for the one that the engine accumulated, "" for the one of the frames
+std::string velocityText(const Json& species, const std::string& by)
 {
-  const std::string mean = numberText(species["mean_vx"], "{:+.2f}", MM_PER_M);
-  return species["mean_vx"].is_null()
-             ? mean
-             : mean + " +- " + numberText(species["mean_vx_stderr"], "{:.2f}", MM_PER_M);
+  const Json& mean = species[by + "mean_vx"];
+  return numberText(mean, "{:+.2f}", MM_PER_M) +
+         (mean.is_null() ? "" : " +- " + numberText(species[by + "mean_vx_stderr"], "{:.2f}", MM_PER_M));
 }
 
 /// A note whether the run is exact, or may have missed contacts.
@@ -104,6 +104,23 @@ bool isOpen(const RunResult& result)
           std::any_of(result.bins.back().bins.begin(), result.bins.back().bins.end(), something_left));
 }
 
+/// What is of the frames alone, and of which.
+std::string framesText(const RunResult& result, const Json& all)
+{
+  std::string text;
+  if (result.first_frame && *result.first_frame > result.start)
+    text += fmt::format(
+        "recorded from {:.6g} s on: T_g and <V_x> of the frames are of this part, all else is of "
+        "the whole run\n",
+        *result.first_frame);
+  if (result.lastStatistics() == nullptr || result.particle_frames == 0)
+    return text;
+  text += "<V_x> of the frames, without each disk's way before its first and after its last one:\n";
+  for (const Json& species : all)
+    text += fmt::format("  {}: {} mm/s\n", species["name"].get<std::string>(), velocityText(species, ""));
+  return text;
+}
+
 std::string speciesTable(const RunResult& result, const Json& all)
 {
   std::size_t width = 7;
@@ -122,8 +139,9 @@ std::string speciesTable(const RunResult& result, const Json& all)
     text += row(
         species["name"],
         {count(species["count"]), count(species["left"]), count(species["right"]), count(species["on_base"])},
-        velocityText(species), numberText(species["granular_temperature"], "{:.3g}", UJ_PER_J));
-  return text;
+        velocityText(species, result.lastStatistics() != nullptr ? "engine_" : ""),
+        numberText(species["granular_temperature"], "{:.3g}", UJ_PER_J));
+  return text + framesText(result, all);
 }
 
 std::string segregationText(const RunResult& result)
@@ -169,6 +187,7 @@ Json speciesJson(const RunResult& result)
                  {"mean_vx", result.velocities[i].mean},
                  {"mean_vx_stderr", result.velocities[i].mean_stderr},
                  {"engine_mean_vx", engineMeans(result, i).mean_vx},
+                 {"engine_mean_vx_stderr", engineMeans(result, i).mean_vx_stderr},
                  {"left", count(counts.left)},
                  {"right", count(counts.right)},
                  {"on_base", count(counts.on_base)},
@@ -199,6 +218,7 @@ Json reportJson(const RunResult& result)
   json["version"] = result.scene_frame.version;
   json["plan"] = planParts(planOf(result.scene));
   json["start_time"] = result.start;
+  json["first_frame_time"] = result.first_frame;
   json["simulated_time"] = result.end;
   json["particle_frames"] = result.particle_frames;
   json["not_recorded"] = result.missing();

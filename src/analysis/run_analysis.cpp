@@ -202,6 +202,8 @@ void RunAnalysis::take(const AnyFrame& any)
             throw AnalysisError(fmt::format("a frame of {} at {} s comes before any scene",
                                             describe(kindOf<Frame>()).name, frame.time));
           run_->so_far.end = std::max(run_->so_far.end, frame.time);
+          if (!run_->so_far.first_frame)
+            run_->so_far.first_frame = frame.time;
           run_->add(frame);
         }
       });

@@ -46,7 +46,8 @@ int resimulate(const std::vector<std::string>& bags)
   warnOfVersion(resimulation);
   if (const auto& difference = resimulation.difference())
   {
-    print(fmt::format("differs: {}\n", *difference));
+    print(resimulation.lacksCommands() ? fmt::format("{}: cannot be repeated\n", *difference)
+                                       : fmt::format("differs: {}\n", *difference));
     return FAILED;
   }
   print(fmt::format(
@@ -68,7 +69,8 @@ int main(int argc, char** argv)
       ->required()
       ->type_name("FILE");
   app.footer(
-      "Exit status: 0 if all states are the same; 1 if one differs or the bag cannot be read; 2 for bad "
-      "arguments.");
+      "Exit status: 0 if all states are the same; 1 if one differs (a line that begins with 'differs: '), if "
+      "the bag lacks commands (a line that ends with ': cannot be repeated'), or if it cannot be read; 2 for "
+      "bad arguments.");
   return runProgram(app, argc, argv, [&] { return resimulate(bags); });
 }

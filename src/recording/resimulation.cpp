@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -142,6 +143,10 @@ void Resimulation::comeTo(double time)
 {
   if (!simulation_)
     throw std::invalid_argument("does not begin with a scene");
+  if (!first_)
+    first_ = time;
+  else
+    widest_ = std::max(widest_, time - instant_);
   if (time == instant_)
     return;
   compareInstant();
@@ -153,11 +158,12 @@ void Resimulation::finish()
   compareInstant();
   if (!difference_ && frames_ == 0)
     throw std::invalid_argument("contains no state of the run: there is nothing to compare");
-  // A later file of a split recording, by itself.
-  if (difference_ && scene_->time > scene_->start_time)
-    *difference_ +=
-        fmt::format("; the recording begins at {:g} s, so earlier commands since {:g} s are missing",
-                    scene_->time, scene_->start_time);
+  // It began farther behind the run than its frames are apart.
+  if (difference_ && differs_at_ == *first_ && *first_ - scene_->start_time > widest_)
+  {
+    lacks_commands_ = true;
+    difference_ = fmt::format("recording begins at {:g} s; earlier commands are missing", *first_);
+  }
 }
 
 void Resimulation::compareInstant()
@@ -176,7 +182,10 @@ void Resimulation::compareInstant()
     compareAsThingsAre();
   }
   if (!recorded_.empty())
+  {
     difference_ = describeDifference();
+    differs_at_ = instant_;
+  }
   if (progress_)
     progress_(*simulation_);
 }
@@ -222,10 +231,28 @@ void Resimulation::compareAsThingsAre()
   recorded_.erase(end, recorded_.end());
 }
 
+/// Whether a recorded base has other setpoints than the one that is computed: only commands change them.
+bool Resimulation::setpointsDiffer()
+{
+  const DriveState& now = makeFrame<BaseFrame>(*simulation_, window_).base;
+  const auto differs = [&now](const Recorded& any)
+  {
+    const auto* frame = std::get_if<BaseFrame>(&any);
+    return frame != nullptr &&
+           std::any_of(std::begin(COMMANDED_QUANTITIES), std::end(COMMANDED_QUANTITIES),
+                       [&](const CommandedQuantity& quantity)
+                       { return !sameBits(frame->base.*quantity.commanded, now.*quantity.commanded); });
+  };
+  return std::any_of(recorded_.begin(), recorded_.end(), differs);
+}
+
 std::string Resimulation::describeDifference()
 {
   if (simulation_->stalled() && simulation_->time() < instant_)
     return fmt::format("at {:.17g} s the run stopped: {}", simulation_->time(), simulation_->collapseText());
+  lacks_commands_ = setpointsDiffer();
+  if (lacks_commands_)
+    return fmt::format("commands until {:g} s are missing", instant_);
   return std::visit(
       [this](const auto& frame)
       {

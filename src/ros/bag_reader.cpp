@@ -1,6 +1,12 @@
 #include "ratchet_sieve/ros/bag.h"
 
+#include <errno.h>
+#include <signal.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <memory>
 #include <new>
 #include <set>
@@ -198,12 +204,46 @@ void requireOneRun(const std::vector<RunPart>& parts)
   }
 }
 
+/// While a bag is read. librosbag trusts its lengths and offsets: where they are damaged it reads outside of
+/// its buffers, or its allocator finds that. The program then ends with one line and status 1.
+class DamageGuard
+{
+public:
+  explicit DamageGuard(const std::string& path)
+  {
+    line_ = std::string(program_invocation_short_name) + ": " + path + ": is damaged: try `rosbag reindex`\n";
+    struct sigaction action = {};
+    action.sa_handler = [](int /*signal*/)
+    {
+      // Nothing else is safe here.
+      const ssize_t written = write(STDERR_FILENO, line_.data(), line_.size());
+      static_cast<void>(written);
+      _exit(EXIT_FAILURE);
+    };
+    for (std::size_t k = 0; k < before_.size(); ++k)
+      sigaction(SIGNALS[k], &action, &before_[k]);
+  }
+  ~DamageGuard()
+  {
+    for (std::size_t k = 0; k < before_.size(); ++k)
+      sigaction(SIGNALS[k], &before_[k], nullptr);
+  }
+  DamageGuard(const DamageGuard&) = delete;
+  DamageGuard& operator=(const DamageGuard&) = delete;
+
+private:
+  static constexpr std::array<int, 3> SIGNALS = {SIGSEGV, SIGBUS, SIGABRT};
+  static inline std::string line_;
+  std::array<struct sigaction, SIGNALS.size()> before_;
+};
+
 /// Opens a bag for `read`, and converts errors to BagError.
 template <typename Read>
 void withBag(const std::string& path, const Read& read)
 {
   if (const auto why = whyUnreadable(path))
     throw BagError(path + ": " + *why);
+  const DamageGuard guard(path);
   try
   {
     const rosbag::Bag bag(path);

@@ -17,14 +17,17 @@ TEST(ReportText, IsATableToRead)
             "scene 0123456789abcdef, seed 7, version 1.2.3: 0 s to 2.5 s, 151 frames of particles\n"
             "\n"
             "species     disks    left   right  on base         <V_x> [mm/s]   T_g [uJ]\n"
-            "A              10       1       3        6       +12.50 +- 0.50        150\n"
-            "long-name       1       1       0        0 -250.00 +- undefined  undefined\n"
+            "A              10       1       3        6     +500.00 +- 20.00        150\n"
+            "long-name       1       1       0        0            undefined  undefined\n"
+            "<V_x> of the frames, without each disk's way before its first and after its last one:\n"
+            "  A: +12.50 +- 0.50 mm/s\n"
+            "  long-name: -250.00 +- undefined mm/s\n"
             "\n"
             "s = -0.750, Q = 0.750, P = 0.500\n"
             "contacts: 100 disk-disk, 20 left slope, 40 right slope, 3 apex, 0 wall, 0 level\n"
             "short to long slope: 0.500\n"
             "accumulated by the engine:\n"
-            "  A: mean_vx 0.5 m/s, mean_vx_stderr undefined, kinetic_translational undefined, "
+            "  A: mean_vx 0.5 m/s, mean_vx_stderr 0.02 m/s, kinetic_translational undefined, "
             "kinetic_rotational undefined, collision_rate 40 1/s\n"
             "  long-name: mean_vx undefined, mean_vx_stderr undefined, kinetic_translational undefined, "
             "kinetic_rotational undefined, collision_rate undefined\n");
@@ -43,6 +46,15 @@ TEST(ReportText, SaysThatARunWentBySteps)
   EXPECT_EQ(reportJson(handMadeResult())["plan"]["steps"], false);
 }
 
+TEST(ReportText, SaysWhatALateRecordingIsOf)
+{
+  RunResult result = handMadeResult();
+  result.first_frame = 2.0;
+  EXPECT_NE(reportText(result).find("\nrecorded from 2 s on: T_g and <V_x> of the frames are of this part, "),
+            std::string::npos);
+  EXPECT_EQ(reportJson(result)["first_frame_time"], 2.0);
+}
+
 TEST(ReportText, HasNoBinsWhereNothingLeft)
 {
   RunResult result = handMadeResult();
@@ -52,11 +64,9 @@ TEST(ReportText, HasNoBinsWhereNothingLeft)
   const std::string text = reportText(result);
   EXPECT_NE(text.find("\n\n"
                       "species     disks         <V_x> [mm/s]   T_g [uJ]\n"
-                      "A              10       +12.50 +- 0.50        150\n"
-                      "long-name       1 -250.00 +- undefined  undefined\n"
-                      "\n"
-                      "no disk can leave this base: no bins, no Q, no P\n"
-                      "contacts: "),
+                      "A              10     +500.00 +- 20.00        150\n"
+                      "long-name       1            undefined  undefined\n"
+                      "<V_x> of the frames, "),
             std::string::npos)
       << text;
 }
@@ -151,7 +161,7 @@ TEST_F(AnalysisTables, LeaveEmptyWhatIsNotDefined)
             "time [s],species,mean_vx [m/s],mean_vx_stderr [m/s],kinetic_translational [J],"
             "kinetic_rotational [J],collision_rate [1/s],window_start [s],window_end [s],"
             "granular_temperature [J]\n"
-            "2.5,A,0.5,,,,40,2.25,2.375,0.25\n2.5,long-name,,,,,,2.25,2.375,\n");
+            "2.5,A,0.5,0.02,,,40,2.25,2.375,0.25\n2.5,long-name,,,,,,2.25,2.375,\n");
 }
 
 TEST_F(AnalysisTables, HoldTheRunItsDriveContactsAndDisplacements)

@@ -32,6 +32,7 @@ inline RunResult handMadeResult()
   result.scene.base.asymmetry = 0.25;
   result.scene.boundary = Boundary::OPEN;
   result.end = 2.5;
+  result.first_frame = 0.0;
   result.particle_frames = 151;
   result.species = {"A", "long-name"};
   result.velocities = {{10, 0.0125, 0.0005}, {1, -0.25, std::nullopt}};
@@ -53,6 +54,7 @@ inline RunResult handMadeResult()
   statistics.time = 2.5;
   statistics.species = {{"A", {}, 0.25}, {"long-name", {}, std::nullopt}};
   statistics.species[0].means.mean_vx = 0.5;
+  statistics.species[0].means.mean_vx_stderr = 0.02;
   statistics.species[0].means.collision_rate = 40.0;
   statistics.window_start = 2.25;
   statistics.window_end = 2.375;

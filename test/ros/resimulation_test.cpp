@@ -142,7 +142,8 @@ CollectingSink commandedRun(const SceneDefinition& scene = smallRing())
   return readAll({scratch / "run.bag"});
 }
 
-/// The first difference when every `step`-th frame of one kind is repeated with the commands.
+/// The first difference when every `step`-th frame of one kind is repeated with the commands, as the program
+/// says it.
 template <typename Frame>
 std::string differenceOf(const CollectingSink& recorded, const std::vector<Frame>& frames,
                          std::size_t step = 1)
@@ -157,7 +158,8 @@ std::string differenceOf(const CollectingSink& recorded, const std::vector<Frame
     resimulation.take(frames[k]);
   }
   resimulation.finish();
-  return resimulation.difference().value_or("");
+  return resimulation.difference().value_or("") +
+         (resimulation.lacksCommands() ? ": cannot be repeated" : "");
 }
 
 std::string differenceOf(const CollectingSink& recorded)
@@ -252,18 +254,27 @@ TEST(Resimulation, refusesARunThatBeganAtATimeThatIsNone)
   }
 }
 
-/// A file of a split recording, except the first, lacks the earlier commands.
-TEST(Resimulation, saysWhereTheBeginningOfTheRunIsMissing)
+/// A recording that `rosbag record` began late, or a file of a split one but the first.
+TEST(Resimulation, saysThatTheBeginningOfTheRunIsMissing)
 {
   CollectingSink recorded = commandedRun();
-  recorded.scenes.at(0).time = 0.45;
-  while (recorded.particles.front().time <= 0.45)
+  while (recorded.particles.front().time < 0.45)
     recorded.particles.erase(recorded.particles.begin());
   recorded.commands.clear();
-  const std::string difference = differenceOf(recorded);
-  EXPECT_NE(difference.find("; the recording begins at 0.45 s, so earlier commands since 0 s are missing"),
-            std::string::npos)
-      << difference;
+  EXPECT_EQ(differenceOf(recorded),
+            "recording begins at 0.45 s; earlier commands are missing: cannot be repeated");
+  recorded = commandedRun();
+  recorded.particles.erase(recorded.particles.begin());
+  recorded.particles.front().disks.at(0).vx += 1.0;
+  EXPECT_NE(differenceOf(recorded).find("differ: vx of disks[0]"), std::string::npos)
+      << "no later than frames are apart";
+}
+
+TEST(Resimulation, saysThatCommandsAreMissing)
+{
+  CollectingSink recorded = commandedRun();
+  recorded.commands.pop_back();
+  EXPECT_EQ(differenceOf(recorded, recorded.bases), "commands until 0.3 s are missing: cannot be repeated");
 }
 
 TEST(Resimulation, needsASceneAndAFrame)

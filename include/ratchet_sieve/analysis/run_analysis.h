@@ -35,8 +35,10 @@ struct RunResult
 {
   SceneFrame scene_frame;
   SceneDefinition scene;
-  double start = 0.0;  ///< of the first frame [s]
-  double end = 0.0;    ///< of the last frame [s]
+  double start = 0.0;  ///< of the scene's frame [s]
+  std::optional<double>
+      first_frame;   ///< time of the first other frame: later if the recording began late [s]
+  double end = 0.0;  ///< of the last frame [s]
   std::size_t particle_frames = 0;
 
   std::vector<std::string> species;

@@ -35,6 +35,10 @@ public:
   /// The first difference between the recording and the repeated run, in one line; nothing if they are equal.
   const std::optional<std::string>& difference() const { return difference_; }
 
+  /// Of a difference: the recording lacks commands, which it was found by. It begins after its run did, or
+  /// the base has other setpoints than the commands give it.
+  bool lacksCommands() const { return lacks_commands_; }
+
   std::uint64_t frames() const { return frames_; }      ///< that were compared and equal
   std::uint64_t commands() const { return commands_; }  ///< that were applied
   double time() const;                                  ///< simulated time reached [s]
@@ -51,6 +55,7 @@ private:
   template <typename Frame>
   Frame now(const Frame& recorded);
   std::string describeDifference();
+  bool setpointsDiffer();
 
   std::function<void(const Simulation&)> progress_;
   std::optional<SceneFrame> scene_;
@@ -67,7 +72,11 @@ private:
   std::vector<Recorded> recorded_;
   std::vector<CommandFrame> commands_then_;
 
+  std::optional<double> first_;  ///< time of the first frame but for the scene [s]
+  double widest_ = 0.0;          ///< time between two frames at most [s]
   std::optional<std::string> difference_;
+  double differs_at_ = 0.0;  ///< [s]
+  bool lacks_commands_ = false;
   std::uint64_t frames_ = 0;
   std::uint64_t commands_ = 0;
 };

@@ -142,6 +142,8 @@ def draw_velocities(directory):
                                                            finals.numbers('mean_vx_stderr', MM))):
         part = statistics.where({'species': name})
         mean, error = part.numbers('mean_vx', MM), np.nan_to_num(part.numbers('mean_vx_stderr', MM))
+        if len(mean) and not np.isnan(mean[-1]):
+            final, final_error = mean[-1], error[-1]  # of frames only where there is nothing better
         axes.plot(part.numbers('time'), mean, color=colour, label=name)
         axes.fill_between(part.numbers('time'), mean - error, mean + error, color=colour, alpha=0.25, linewidth=0)
         if not np.isnan(final):

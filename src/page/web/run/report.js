@@ -20,9 +20,10 @@ class Report {
 
   showResults() {
     const results = this.results;
+    const by = results.species.some((species) => species.engine_mean_vx !== null) ? 'engine_' : '';
     const columns = [['species', (species, k) => marked(species.name, k)],
       ['disks', (species) => quantity(species.count, '', 15)],
-      ['\u27e8V_x\u27e9', (species) => withError(species.mean_vx, species.mean_vx_stderr, 'mm/s', MM)],
+      ['\u27e8V_x\u27e9', (species) => withError(species[by + 'mean_vx'], species[by + 'mean_vx_stderr'], 'mm/s', MM)],
       ['granular temperature', (species) => quantity(species.granular_temperature, 'J')]];
     if (this.hasBins) {
       for (const place of ['left', 'on_base', 'right'])
@@ -45,7 +46,7 @@ class Report {
 
   /** What the scene observes: whatever is not shown above. */
   showObserved() {
-    const shown = new Set(['scene_hash', 'seed', 'version', 'plan', 'start_time', 'simulated_time', 'particle_frames',
+    const shown = new Set(['scene_hash', 'seed', 'version', 'plan', 'start_time', 'first_frame_time', 'simulated_time', 'particle_frames',
       'not_recorded', 'species', 'quality', 'processed', 'purity', 'recovery', 'collisions', 'max_overlap', 'short_to_long']);
     for (const [name, value] of Object.entries(this.results)) {
       if (shown.has(name)) continue;
