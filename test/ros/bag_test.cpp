@@ -163,6 +163,26 @@ TEST(Bag, refusesWhatWasNotClosedOrIsCutOff)
             scratch / "open.bag.active: was not closed, or is damaged: try `rosbag reindex`");
 }
 
+/// librosbag reads outside of its buffers there, and would end the program by a signal.
+TEST(Bag, whoseIndexIsDamagedEndsAProgramInOneLine)
+{
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer says it in its own words";
+#endif
+  const ScratchDirectory scratch;
+  BagWriter bag(scratch / "run.bag", "/sieve");
+  showRun(bag);
+  bag.close();
+  std::string bytes = contents(scratch / "run.bag");
+  const std::string index = "op=\x04";
+  const std::size_t to_offset = index.size() + 24;  // version, length of the entries, time of the first one
+  for (std::size_t k = bytes.find(index); k != std::string::npos; k = bytes.find(index, k + 1))
+    bytes.replace(k + to_offset, 4, "\xF0\xFF\xFF\x7F");
+  std::ofstream(scratch / "run.bag", std::ios::binary) << bytes;
+  EXPECT_EXIT(readAll({scratch / "run.bag"}), testing::ExitedWithCode(1),
+              "run.bag: is damaged: try `rosbag reindex`");
+}
+
 TEST(Bag, refusesAFrameAtNoTime)
 {
   const ScratchDirectory scratch;
