@@ -34,6 +34,7 @@ add_message_files(FILES
   BaseSetpoint.msg
   BaseState.msg
   BinCounts.msg
+  BinPurity.msg
   Command.msg
   DiskExit.msg
   Observation.msg
@@ -42,6 +43,7 @@ add_message_files(FILES
   ObservationRow.msg
   Observations.msg
   ParticleStates.msg
+  Purity.msg
   SceneDescription.msg
   SeekTrial.msg
   SieveStatistics.msg

@@ -205,6 +205,44 @@ DiskExit toMessage(const ExitRecord& exit, const std::string& species, const std
   return message;
 }
 
+namespace
+{
+/// @param bin which of both
+BinPurity purityIn(const std::vector<SpeciesShares>& species, BinShares SpeciesShares::*bin)
+{
+  BinPurity message;
+  for (const SpeciesShares& shares : species)
+  {
+    const auto& [number, mass] = shares.*bin;
+    message.purity.push_back(number.purity.value_or(0.0));
+    message.purity_by_mass.push_back(mass.purity.value_or(0.0));
+    message.purity_defined = number.purity.has_value();
+    message.recovery.push_back(number.recovery.value_or(0.0));
+    message.recovery_by_mass.push_back(mass.recovery.value_or(0.0));
+    message.recovery_defined.push_back(number.recovery.has_value());
+  }
+  return message;
+}
+}  // namespace
+
+Purity purityOf(const Simulation& simulation, double window_start, const std::string& frame_id)
+{
+  const std::vector<SpeciesShares> all = binShares(simulation.bins());
+  const ExitWindow window = simulation.exitWindow(window_start);
+  const std::vector<SpeciesShares> lately = binShares(window.bins);
+  Purity message;
+  message.header.stamp = ros::Time(simulation.time());
+  message.header.frame_id = frame_id;
+  message.time = simulation.time();
+  message.species = speciesNames(simulation.scene());
+  message.left = purityIn(all, &SpeciesShares::left);
+  message.right = purityIn(all, &SpeciesShares::right);
+  message.window_start = window.start;
+  message.window_left = purityIn(lately, &SpeciesShares::left);
+  message.window_right = purityIn(lately, &SpeciesShares::right);
+  return message;
+}
+
 /// The conversions of one kind in both directions, by the list of its fields.
 #define RATCHET_SIEVE_CONVERSIONS(FRAME, MESSAGE)                    \
   MESSAGE toMessage(const FRAME& frame, const std::string& frame_id) \

@@ -40,6 +40,13 @@ TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function
   forEachSampledType([&](auto type) { advertise<typename decltype(type)::Frame>(private_node); });
   publishers_[FrameKind::COMMANDS] =
       private_node.advertise<Command>(describe(FrameKind::COMMANDS).name, FRAME_QUEUE_SIZE);
+  purity_ = private_node.advertise<Purity>(
+      "purity", FRAME_QUEUE_SIZE,
+      [current = current_, frame_id = frames_.world](const ros::SingleSubscriberPublisher& subscriber)
+      {
+        const double window_start = current().now<BinFrame>().window_start;
+        subscriber.publish(purityOf(current().simulation(), window_start, frame_id));
+      });
   exits_ = private_node.advertise<DiskExit>("exits", EXIT_QUEUE_SIZE);
 }
 
@@ -54,7 +61,8 @@ void TopicPublisher::publish(const ExitRecord& exit)
 bool TopicPublisher::wants(FrameKind kind) const
 {
   // The transforms need the base also without subscribers, to send the last state to a new one.
-  return kind == FrameKind::BASE || isHeard(kind);
+  return kind == FrameKind::BASE || isHeard(kind) ||
+         (kind == FrameKind::BINS && purity_.getNumSubscribers() > 0);
 }
 
 template <typename Frame>
@@ -73,6 +81,11 @@ void TopicPublisher::take(const AnyFrame& any)
   if (any.kind() == FrameKind::PARTICLES && isHeard(FrameKind::PARTICLES))
     transforms_.publish(current_().now<BaseFrame>(), frames_);
   any.visit([this](const auto& frame) { publish(frame); });
+  if (const BinFrame* bins = any.as<BinFrame>(); bins != nullptr && purity_.getNumSubscribers() > 0)
+  {
+    clock_.reach(bins->time);
+    purity_.publish(purityOf(current_().simulation(), bins->window_start, frames_.world));
+  }
   if (const BaseFrame* base = any.as<BaseFrame>())
     transforms_.publish(*base, frames_);
 }

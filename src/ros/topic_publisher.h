@@ -14,10 +14,10 @@
 namespace ratchet_sieve
 {
 
-/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~observed, ~commands and ~scene (latched), and
-/// each disk that leaves on ~exits. The base is also published on /tf, with a transform at the stamp of every
-/// message of the disks. Topics without subscribers are skipped. A new subscriber gets the present state at
-/// once, also in a pause.
+/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~observed, ~commands and ~scene (latched),
+/// purity and recovery with the bins on ~purity, and each disk that leaves on ~exits. The base is also
+/// published on /tf, with a transform at the stamp of every message of the disks. Topics without subscribers
+/// are skipped. A new subscriber gets the present state at once, also in a pause.
 class TopicPublisher : public FrameSink
 {
 public:
@@ -44,6 +44,7 @@ private:
   TransformPublisher& transforms_;
   std::map<FrameKind, ros::Publisher> publishers_;
   ros::Publisher exits_;
+  ros::Publisher purity_;  ///< with the bins
 };
 
 }  // namespace ratchet_sieve

@@ -63,6 +63,37 @@ TEST_F(Node, stepsAsTheSimulationDoesBitForBit)
   }
 }
 
+/// Of the same disks as ~bins, and undefined where nothing has left.
+TEST_F(Node, publishesThePurityOfTheBins)
+{
+  std::vector<Purity> seen;
+  const ros::Subscriber subscriber = sieve.node.subscribe<Purity>(
+      "purity", 100, [&](const Purity::ConstPtr& message) { seen.push_back(*message); });
+  ASSERT_TRUE(waitFor([&] { return !seen.empty(); }));
+  EXPECT_FALSE(seen.back().left.purity_defined || seen.back().right.recovery_defined.at(0));
+  sieve.stepAndSee(8.0);
+  const BinFrame& bins = sieve.bins.frames.back();
+  ASSERT_TRUE(waitFor([&] { return seen.back().time == bins.time; }));
+  const std::vector<SpeciesShares> shares = binShares(bins.bins);
+  const auto expectShares = [&](const BinPurity& message, BinShares SpeciesShares::*bin)
+  {
+    for (std::size_t k = 0; k < shares.size(); ++k)
+    {
+      const BinShares& expected = shares[k].*bin;
+      EXPECT_EQ(message.purity_defined, expected.number.purity.has_value());
+      EXPECT_EQ(message.purity.at(k), expected.number.purity.value_or(0.0));
+      EXPECT_EQ(message.purity_by_mass.at(k), expected.mass.purity.value_or(0.0));
+      EXPECT_EQ(message.recovery_defined.at(k), expected.number.recovery.has_value());
+      EXPECT_EQ(message.recovery.at(k), expected.number.recovery.value_or(0.0));
+      EXPECT_EQ(message.recovery_by_mass.at(k), expected.mass.recovery.value_or(0.0));
+    }
+  };
+  expectShares(seen.back().left, &SpeciesShares::left);
+  expectShares(seen.back().right, &SpeciesShares::right);
+  EXPECT_TRUE(seen.back().left.purity_defined || seen.back().right.purity_defined);
+  EXPECT_EQ(seen.back().window_start, bins.window_start);
+}
+
 TEST_F(Node, tellsALateSubscriberHowFastItIs)
 {
   sieve.stepAndSee(0.5);

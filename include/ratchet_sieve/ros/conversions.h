@@ -9,6 +9,7 @@
 #include "ratchet_sieve/DiskExit.h"
 #include "ratchet_sieve/Observations.h"
 #include "ratchet_sieve/ParticleStates.h"
+#include "ratchet_sieve/Purity.h"
 #include "ratchet_sieve/SceneDescription.h"
 #include "ratchet_sieve/SieveStatistics.h"
 #include "ratchet_sieve/recording/frames.h"
@@ -34,6 +35,9 @@ Command toMessage(const CommandFrame& frame, const std::string& frame_id = WORLD
 
 /// @param species its name
 DiskExit toMessage(const ExitRecord& exit, const std::string& species, const std::string& frame_id);
+
+/// Purity and recovery of the bins now. @param window_start as of makeBinFrame
+Purity purityOf(const Simulation& simulation, double window_start, const std::string& frame_id);
 
 template <typename Frame>
 using MessageOf = decltype(toMessage(std::declval<Frame>()));
