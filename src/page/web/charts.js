@@ -49,7 +49,7 @@ function addChart(parent, chart, common) {
       ...chart.series.map((each) => ({width: 1.6, points: {show: false},
         value: (u, v) => v === null ? UNDEFINED : quantity(v, chart.y.unit), ...each}))],
     bands: chart.bands || [],
-    legend: {live: true, markers: {dash: (u, k) => u.series[k].dash ? 'dashed' : 'solid'}},
+    legend: {live: true, markers: {dash: (u, k) => !u.series[k].dash ? 'solid' : u.series[k].dash[0] < 2 ? 'dotted' : 'dashed'}},
     cursor: {sync: {key: common.sync}, drag: {x: false, y: false}},
     hooks: {draw: [...chart.draw ? [chart.draw] : [], showMark]},
   }, chart.data, place);
