@@ -115,7 +115,7 @@ void MotionRecord::add(const ParticleFrame& frame)
   // Thinned at an odd number of frames, of which every second one includes the last.
   if (kept_states_ <= most_bytes_ / LEAST_STATE || kept_.size() <= FEWEST_FRAMES || kept_.size() % 2 == 0)
     return;
-  if (mostEvery(kept_) < 2 && !leavesOutDisks(kept_))
+  if (mostEvery(kept_) < 2 && !leavesOutDisks(kept_, 2.0))
   {
     thinning_.cut = true;
     return;
@@ -153,16 +153,18 @@ MotionRecord::Frame MotionRecord::rounded(const ParticleFrame& frame) const
   return result;
 }
 
-bool MotionRecord::leavesOutDisks(const std::vector<Frame>& frames) const
+/// Whether what is thinned by a factor beyond that of frames loses disks: as long as there are so many.
+bool MotionRecord::leavesOutDisks(const std::vector<Frame>& frames, double factor) const
 {
-  return !scene_.contact.pair_collisions && countStates(frames) > frames.size();
+  return !scene_.contact.pair_collisions &&
+         static_cast<double>(countStates(frames)) >= factor * static_cast<double>(frames.size());
 }
 
 void MotionRecord::thin(std::vector<Frame>& frames, double factor, Thinning& thinning) const
 {
   const std::size_t every = std::min(static_cast<std::size_t>(std::ceil(factor)), mostEvery(frames));
   const double rest = factor / static_cast<double>(every);
-  const bool fewer_disks = leavesOutDisks(frames);
+  const bool fewer_disks = leavesOutDisks(frames, rest);
   std::size_t end = frames.size();
   if (rest > 1.0 && !fewer_disks)
   {

@@ -80,7 +80,7 @@ private:
   Frame rounded(const ParticleFrame& frame) const;
   static std::size_t mostEvery(const std::vector<Frame>& frames);
   static std::size_t countStates(const std::vector<Frame>& frames);
-  bool leavesOutDisks(const std::vector<Frame>& frames) const;
+  bool leavesOutDisks(const std::vector<Frame>& frames, double factor) const;
   void thin(std::vector<Frame>& frames, double factor, Thinning& thinning) const;
   EncodedMotion encode(const std::vector<Frame>& frames) const;
   static std::vector<Track> tracksOf(const std::vector<Frame>& frames);

@@ -20,8 +20,8 @@ using visualization_msgs::MarkerArray;
 
 using Rgb = std::array<float, 3>;
 constexpr std::array<Rgb, 8> PALETTE = {Rgb{0.000f, 0.447f, 0.698f}, Rgb{0.835f, 0.369f, 0.000f},
-                                        Rgb{0.000f, 0.620f, 0.451f}, Rgb{0.902f, 0.624f, 0.000f},
-                                        Rgb{0.800f, 0.475f, 0.655f}, Rgb{0.337f, 0.706f, 0.914f},
+                                        Rgb{0.000f, 0.620f, 0.451f}, Rgb{0.800f, 0.475f, 0.655f},
+                                        Rgb{0.902f, 0.624f, 0.000f}, Rgb{0.337f, 0.706f, 0.914f},
                                         Rgb{0.941f, 0.894f, 0.259f}, Rgb{0.200f, 0.200f, 0.200f}};
 
 std_msgs::ColorRGBA opaque(const Rgb& rgb)

@@ -96,6 +96,7 @@ TEST(MotionRecord, ThinsDisksThatDoNotSeeEachOther)
   EXPECT_LE(motion.bytes.size(), 2000u);
   EXPECT_GT(motion.description["disk_every"], 1);
   EXPECT_GE(motion.description["frames"], MotionRecord::LEAST_RATE);
+  EXPECT_EQ(motionOf(scene, 1).description["frames"], 2) << "where there is no room for a disk";
 }
 
 TEST(MotionRecord, TakesADiskThatComesBackForAnotherTrack)

@@ -34,8 +34,8 @@ class LivePlayer extends Player {
     this.onChange();
     const measured = {wall: performance.now(), time: this.time};
     this.before = null;
-    const step = (now) => {
-      if (!this.playing) return;
+    const step = this.step = (now) => {
+      if (!this.playing || this.step !== step) return;
       requestAnimationFrame(step);
       const isNew = this.time < measured.time;  // another run
       if (isNew || now - measured.wall > 1000 * FACTOR_TIME) {
