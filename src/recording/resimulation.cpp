@@ -241,7 +241,7 @@ bool Resimulation::setpointsDiffer()
     return frame != nullptr &&
            std::any_of(std::begin(COMMANDED_QUANTITIES), std::end(COMMANDED_QUANTITIES),
                        [&](const CommandedQuantity& quantity)
-                       { return !sameBits(frame->base.*quantity.commanded, now.*quantity.commanded); });
+                       { return frame->base.*quantity.commanded != now.*quantity.commanded; });
   };
   return std::any_of(recorded_.begin(), recorded_.end(), differs);
 }
