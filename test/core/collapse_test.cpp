@@ -192,64 +192,6 @@ SceneDefinition wedged()
   return scene;
 }
 
-/// A disk that lies across a slot narrower than itself by a rounding. Were its contacts lossless after a
-/// collapse, it would leave the moving base at 26 m/s.
-TEST(Collapse, TakesNoMoreEnergyFromTheBaseThanItSays)
-{
-  SceneDefinition scene = test::singleParticles(1);
-  scene.base.teeth = 1;
-  scene.base.profile = {{0.0, 0.0},           {0.008, 0.0}, {0.008, -0.01}, {0.012 - 1e-12, -0.01},
-                        {0.012 - 1e-12, 0.0}, {0.02, 0.0}};
-  scene.boundary = Boundary::WALLED;
-  scene.species[0].radius = 0.002;
-  scene.initial = {{0, 0.01 - 5e-13, 0.004}};
-  scene.contact.on_collapse = CollapseAction::REBOUND;
-  scene.contact.collapse_events = 1000;
-  Simulation simulation(scene);
-  EXPECT_THROW(simulation.advanceTo(5.0), StallError);
-  const double drive = scene.base.amplitude * angularFrequency(scene.base.frequency);
-  const DiskState disk = simulation.disks()[0];
-  EXPECT_LT(std::hypot(disk.vx, disk.vy), simulation.collapses().largest_floor + 2.0 * drive);
-  EXPECT_LT(simulation.collapses().largest_floor, 0.5);
-  EXPECT_NE(simulation.collapseText().find("rebounded at 0.454 m/s or more: it has no room"),
-            std::string::npos)
-      << simulation.collapseText();
-}
-
-/// What a report suggests is tried.
-TEST(Collapse, SuggestsOnlyWhatHelps)
-{
-  SceneDefinition resting = collapsing(true);
-  resting.contact.min_rebound_speed = 0.0;
-  Simulation rests(resting);
-  EXPECT_THROW(rests.advanceTo(10.0), StallError);
-  const std::string text = rests.collapseText();
-  EXPECT_NE(
-      text.find("min_rebound_speed of 0.0142 m/s or more may avoid it, or contact.on_collapse: rebound"),
-      std::string::npos)
-      << text;
-  resting.contact.min_rebound_speed = 0.0142;
-  Simulation hops(resting);
-  hops.advanceTo(1.0);
-  EXPECT_FALSE(hops.stalled());
-  resting.contact.min_rebound_speed = 0.0;
-  resting.contact.on_collapse = CollapseAction::REBOUND;
-  Simulation rebounds(resting);
-  rebounds.advanceTo(1.0);
-  EXPECT_FALSE(rebounds.stalled());
-
-  for (const double speed : {0.0, 0.05, 1.0})
-  {
-    SceneDefinition scene = wedged();
-    scene.contact.min_rebound_speed = speed;
-    Simulation simulation(scene);
-    EXPECT_THROW(simulation.advanceTo(1.0), StallError);
-    const std::string wedge = simulation.collapseText();
-    EXPECT_NE(wedge.find("; it has no room: a smaller disk or a wider gap avoids it"), std::string::npos)
-        << wedge;
-  }
-}
-
 TEST(Collapse, TellsOfContactsBeforeTheyAreTooMany)
 {
   struct Enough

@@ -181,10 +181,8 @@ struct CollapseCounts
   std::uint64_t count = 0;
   double first_time = 0.0;  ///< [s]
   std::uint32_t first_disk = 0;
-  double first_span = 0.0;     ///< within which it had its events [s]
-  double largest_floor = 0.0;  ///< minimum rebound speed of any disk after a collapse [m/s]
 
-  void archive(StateArchive& state) { state(count, first_time, first_disk, first_span, largest_floor); }
+  void archive(StateArchive& state) { state(count, first_time, first_disk); }
 };
 
 /// An inelastic collapse of a disk in a scene whose `on_collapse` ends the run; see CollapseAction.

@@ -248,7 +248,7 @@ private:
     {
       if (pass_break_)
         return;
-      if (advanceAlone(slot, last, [&] { return state_.collapseWatch().hops(slot); }))
+      if (advanceAlone(slot, last, [&] { return state_.collapseWatch().lossless(slot); }))
         behind_.push_back(slot);
     }
   }

@@ -11,16 +11,9 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// First minimum rebound speed of a disk that hops, as a fraction of the speed of a fall from a tooth's
+/// First minimum rebound speed of a lossless disk, as a fraction of the speed of a fall from a tooth's
 /// height. Hops at this speed occur some hundred times per time scale.
 constexpr double FIRST_FLOOR = 1e-3;
-
-/// After this many consecutive collapses the minimum rebound speed is one at which dense heaps did not
-/// collapse (docs/stability.md).
-constexpr std::uint32_t HELPFUL_LEVEL = 6;
-
-/// A disk that collapses within this share of the time scale does not come to rest: it is wedged.
-constexpr double NO_ROOM = 1e-6;
 }  // namespace
 
 CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale,
@@ -33,16 +26,15 @@ CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale
 {
 }
 
-double CollapseWatch::floorOf(std::uint32_t level) const
+double CollapseWatch::floorSpeed(std::uint32_t slot) const
 {
-  const double floor = std::ldexp(FIRST_FLOOR * speed_scale_, static_cast<int>(level) - 1);
+  const double floor = std::ldexp(FIRST_FLOOR * speed_scale_, static_cast<int>(disks_[slot].level) - 1);
   return std::max(floor, contact_.min_rebound_speed);
 }
 
 void CollapseWatch::collapse(std::uint32_t slot, double time)
 {
   Window& window = disks_[slot];
-  const double span = time + time_scale_ - window.end;
   window = {time + time_scale_, 0, window.level + 1};
   // Independent disks are advanced one by one, in any order. The first collapse is the earliest; at equal
   // times, the one with the smallest id.
@@ -52,9 +44,7 @@ void CollapseWatch::collapse(std::uint32_t slot, double time)
   {
     counts_.first_time = run_time;
     counts_.first_disk = id;
-    counts_.first_span = span;
   }
-  counts_.largest_floor = std::max(counts_.largest_floor, floorOf(std::min(window.level, MAX_LEVEL)));
   ++counts_.count;
   if (stuck(slot) &&
       (!first_stuck_ || std::tie(run_time, id) < std::tie(first_stuck_->time, first_stuck_->disk)))
@@ -69,21 +59,14 @@ std::string CollapseWatch::text() const
   text << "inelastic collapse: disk " << (first_stuck_ ? first_stuck_->disk : counts_.first_disk)
        << " had more than " << limit_ << " events within " << time_scale_ << " s at "
        << (first_stuck_ ? first_stuck_->time : counts_.first_time) << " s";
-  text.precision(3);
   if (first_stuck_)
-    text << ", although its contacts rebounded at " << counts_.largest_floor
-         << " m/s or more: it has no room";
-  else if (!stops_)
-    text << ", the first of " << countText(counts_.count, "time")
-         << "; for a while its contacts rebounded at " << counts_.largest_floor << " m/s or more";
-  else if (counts_.first_span <
-           time_scale_ * std::max(contact_.min_rebound_speed / floorOf(MAX_LEVEL), NO_ROOM))
-    text << "; it has no room: a smaller disk or a wider gap avoids it";
-  else if (contact_.min_rebound_speed < floorOf(HELPFUL_LEVEL))
-    text << "; a contact.min_rebound_speed of " << floorOf(HELPFUL_LEVEL)
-         << " m/s or more may avoid it, or contact.on_collapse: rebound";
+    text << ", although its contacts were lossless";
+  else if (stops_)
+    text << "; a larger contact.min_rebound_speed may avoid it; contact.on_collapse: rebound lets "
+            "the run continue";
   else
-    text << "; contact.on_collapse: rebound may free it";
+    text << ", the first of " << countText(counts_.count, "time")
+         << "; its contacts were lossless for a while";
   return text.str();
 }
 

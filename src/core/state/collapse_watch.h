@@ -18,11 +18,10 @@ namespace ratchet_sieve
 /// allows (McNamara & Young, Phys. Fluids A 4, 496 (1992), doi:10.1063/1.858323). The same happens to a disk
 /// that is wedged between bodies.
 ///
-/// If the scene lets the run continue, the disk hops until a whole time scale has passed without a collapse:
-/// its contacts have a larger minimum rebound speed, which doubles with every consecutive collapse. That lets
-/// a resting disk hop and a wedged one press its way out. Faster contacts stay as they are: were they
-/// lossless, a disk without room would take energy from a moving base without bound. A disk that is not freed
-/// by that is stuck, and ends the run.
+/// If the scene lets the run continue, the disk is lossless until a whole time scale has passed without a
+/// collapse. Its contacts lose no energy, which frees a wedged disk, and have a minimum rebound speed, which
+/// lets a resting disk hop. The minimum doubles with every consecutive collapse. A disk that is not freed by
+/// that is stuck, and ends the run.
 class CollapseWatch
 {
 public:
@@ -46,7 +45,7 @@ public:
   /// Keeps the disks at these slots, which become consecutive, and forgets the others.
   void keep(const std::vector<std::uint32_t>& slots) { keepSlots(disks_, slots); }
 
-  /// Counts an event of a disk. @return whether it exceeds the limit; the disk hops from then on
+  /// Counts an event of a disk. @return whether it exceeds the limit; the disk is lossless from then on
   bool count(std::uint32_t slot, double time)
   {
     Window& window = disks_[slot];
@@ -58,13 +57,13 @@ public:
     return true;
   }
 
-  /// Counts an event of a disk, unless it exceeds the limit or the disk hops. May be called by several
+  /// Counts an event of a disk, unless it exceeds the limit or the disk is lossless. May be called by several
   /// threads for different disks at the same time.
   /// @return whether it was counted
   bool countOrdinary(std::uint32_t slot, double time)
   {
     Window window = disks_[slot];
-    if (hops(slot))
+    if (lossless(slot))
       return false;
     if (time >= window.end)
       window = {time + time_scale_, 0, 0};
@@ -89,11 +88,11 @@ public:
   void setCounts(const CollapseCounts& counts) { counts_ = counts; }
   void prefetchWindow(std::uint32_t slot) const { prefetch(disks_[slot]); }
 
-  /// Whether the disk's contacts are those of a collapse at present. Fast while there was none at all.
-  bool hops(std::uint32_t slot) const { return counts_.count > 0 && disks_[slot].level > 0; }
+  /// Whether the disk's contacts lose no energy at present. Fast while there was no collapse at all.
+  bool lossless(std::uint32_t slot) const { return counts_.count > 0 && disks_[slot].level > 0; }
 
-  /// Minimum rebound speed of a disk that hops [m/s].
-  double floorSpeed(std::uint32_t slot) const { return floorOf(disks_[slot].level); }
+  /// Minimum rebound speed of a lossless disk [m/s].
+  double floorSpeed(std::uint32_t slot) const;
 
   /// Whether MAX_LEVEL consecutive collapses did not free the disk.
   bool stuck(std::uint32_t slot) const { return disks_[slot].level > MAX_LEVEL; }
@@ -103,7 +102,7 @@ public:
 
   const CollapseCounts& counts() const { return counts_; }
 
-  /// One line with the figures, and what may help. @pre counts().count > 0
+  /// One line with the figures. @pre counts().count > 0
   std::string text() const;
 
   /// Moves the zero of time. @param epoch_start the new one [s]
@@ -117,11 +116,11 @@ public:
   void archive(StateArchive& state) { state(epoch_start_, disks_, counts_, first_stuck_, stops_); }
 
 private:
-  /// At this many consecutive collapses the minimum rebound speed is that of a fall from a tooth's height:
-  /// more would throw the disk out of the machine.
-  static constexpr std::uint32_t MAX_LEVEL = 11;
+  /// After this many consecutive collapses the minimum rebound speed exceeds any speed of the machine: the
+  /// disk cannot be freed.
+  static constexpr std::uint32_t MAX_LEVEL = 16;
 
-  /// A disk that collapses although it hops.
+  /// A disk that collapses although its contacts are lossless.
   struct Stuck
   {
     double time;  ///< of the run [s]
@@ -131,7 +130,6 @@ private:
   };
 
   void collapse(std::uint32_t slot, double time);
-  double floorOf(std::uint32_t level) const;
 
   ContactDefinition contact_;
   const DiskIds& ids_;

@@ -126,11 +126,11 @@ void ContactExecution::push(std::uint32_t slot, const ContactOutcome& contact, d
                    contact.time, share_);
 }
 
-/// v_min does not apply to lossless contacts, because it would add energy. For a disk that hops because of a
-/// collapse, adding energy is intended.
+/// v_min does not apply to lossless contacts, because it would add energy. For a disk that is lossless
+/// because of a collapse, adding energy is intended.
 double ContactExecution::reboundFloor(std::uint32_t slot, bool no_loss) const
 {
-  if (system_.collapseWatch().hops(slot))
+  if (system_.collapseWatch().lossless(slot))
     return system_.collapseWatch().floorSpeed(slot);
   return no_loss ? 0.0 : law_.min_rebound_speed;
 }

@@ -45,7 +45,7 @@ private:
   }
   bool lossless(std::uint32_t slot, double time) const
   {
-    return !system_.collapseWatch().hops(slot) &&
+    return system_.collapseWatch().lossless(slot) ||
            system_.observers().contactTimes().within(system_.scene().contact.contact_duration, slot, time);
   }
   double reboundFloor(std::uint32_t slot, bool no_loss) const;

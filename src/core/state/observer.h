@@ -85,7 +85,7 @@ struct ContactOutcome
   double tangential_impulse = 0.0;  ///< J_t, along the tangent (normal turned by +90 deg) on i [N s]
   double overlap = 0.0;             ///< at the contact, < 0 for a remaining gap [m]
   bool closed = false;              ///< whether the surfaces approached; otherwise nothing was changed
-  bool lossless = false;            ///< whether it was lossless: within t_c
+  bool lossless = false;            ///< whether it was lossless: within t_c, or because of a collapse
 };
 
 /// The impulse on disk i, world frame [N s].
