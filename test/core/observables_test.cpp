@@ -195,11 +195,12 @@ TEST(Observables, HaveSeenNothingWhereTheirTimeHasNotBegun)
     {
       if (begun > 0.0)
         simulation.advanceTo(100.0 + begun * settle);
-      for (const Observed& observed : simulation.observed())
+      const std::vector<Observed> all = simulation.observed();
+      for (const Observed& observed : all)
         for (const ObservedRow& row : observed.rows)
           for (const auto& number : row.numbers)
             EXPECT_EQ(number.value.value_or(0.0), 0.0) << observed.name << " " << number.name;
-      for (const ObservedRow& row : test::named(simulation.observed(), "mass_flow").rows)
+      for (const ObservedRow& row : test::named(all, "mass_flow").rows)
         EXPECT_FALSE(test::numberOf(row, "mean")) << simulation.time();
     }
     simulation.advanceTo(103.0);
