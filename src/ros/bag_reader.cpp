@@ -211,12 +211,12 @@ class DamageGuard
 public:
   explicit DamageGuard(const std::string& path)
   {
-    line_ = std::string(program_invocation_short_name) + ": " + path + ": is damaged: try `rosbag reindex`\n";
+    line = std::string(program_invocation_short_name) + ": " + path + ": is damaged: try `rosbag reindex`\n";
     struct sigaction action = {};
     action.sa_handler = [](int /*signal*/)
     {
       // Nothing else is safe here.
-      const ssize_t written = write(STDERR_FILENO, line_.data(), line_.size());
+      const ssize_t written = write(STDERR_FILENO, line.data(), line.size());
       static_cast<void>(written);
       _exit(EXIT_FAILURE);
     };
@@ -233,7 +233,7 @@ public:
 
 private:
   static constexpr std::array<int, 3> SIGNALS = {SIGSEGV, SIGBUS, SIGABRT};
-  static inline std::string line_;
+  static inline std::string line;
   std::array<struct sigaction, SIGNALS.size()> before_;
 };
 

@@ -247,7 +247,7 @@ private:
   /// of the base
   Eigen::Vector2d redirect(std::uint32_t slot)
   {
-    const Eigen::Vector2d at = atEnd(slot);
+    Eigen::Vector2d at = atEnd(slot);
     overlaps_.move(slot, at.x(), at.y());
     return at;
   }

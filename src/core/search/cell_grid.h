@@ -129,8 +129,8 @@ public:
       if (first > last || first_row > last_row)
         return;
       const std::size_t count =
-          blocks_.collect(index({first, first_row}), static_cast<std::size_t>(last - first + 1),
-                          static_cast<std::size_t>(last_row - first_row + 1),
+          blocks_.collect(index({first, first_row}), static_cast<std::size_t>(last - first) + 1,
+                          static_cast<std::size_t>(last_row - first_row) + 1,
                           static_cast<std::size_t>(shape_.columns), list, 0);
       visit(list.data(), count, shift);
     };
