@@ -18,12 +18,12 @@ struct Bench
 };
 
 /// Adds a disk, of its species' own size unless it has a radius. @return its slot
-inline std::uint32_t addDisk(SystemState& system, Disk disk, double time = 0.0)
+inline std::uint32_t addDisk(SystemState& system, Disk disk)
 {
   const SpeciesDefinition& species = system.scene().species[disk.species];
   if (disk.radius == 0.0)
     disk.radius = species.radius;
-  return system.add(disk, propertiesOf(species, disk.radius), time);
+  return system.add(disk, propertiesOf(species, disk.radius));
 }
 
 }  // namespace ratchet_sieve::test

@@ -96,6 +96,15 @@ private:
   /// A disk with this many contacts within a step starts no further search in the step.
   static constexpr std::uint32_t MOST_CONTACTS = 100;
 
+  /// A disk at the end of the step, in the absence of further contacts.
+  struct End
+  {
+    Kinematics kinematics;
+    double radius;              ///< [m]
+    std::uint32_t event_count;  ///< the disk's count when this was computed
+    std::uint32_t contacts;     ///< number of contacts within the step
+  };
+
   /// @return false if the run must stop
   bool advanceBy(double end)
   {
@@ -125,7 +134,7 @@ private:
   void placeDisks()
   {
     near_base_.clear();
-    contacts_of_.assign(state_.disks().size(), 0);
+    ends_.resize(state_.disks().size());
     overlaps_.begin(state_.disks().size());
     length_ = end_ - start_;
     base_reach_ = state_.motion().speedBound() * length_;
@@ -134,13 +143,15 @@ private:
     {
       if (!state_.active(slot))
         continue;
-      Eigen::Vector2d at = atEnd(slot);
+      ends_[slot].radius = state_.radius(slot);
+      ends_[slot].contacts = 0;
+      Eigen::Vector2d at = flyToEnd(slot);
       if (!withinEnds(at))
       {
         state_.wrapIntoWidth(slot, at.x(), start_);
-        at = atEnd(slot);
+        at = flyToEnd(slot);
       }
-      overlaps_.place(slot, at.x(), at.y(), state_.radius(slot));
+      overlaps_.place(slot, at.x(), at.y(), ends_[slot].radius);
       if (mayTouchBase(slot, at))
         near_base_.push_back(slot);
     }
@@ -152,21 +163,26 @@ private:
     return at.x() >= 0.0 && at.x() < state_.shape().width();
   }
 
-  /// The disk's position at the end of the step in the absence of contacts, in the frame of the base.
-  Eigen::Vector2d atEnd(std::uint32_t slot) const
+  /// Computes the disk's position at the end of the step in the absence of contacts. @return the position in
+  /// the frame of the base
+  Eigen::Vector2d flyToEnd(std::uint32_t slot)
   {
-    return frame_.positionInto(positionAt(state_.disk(slot), end_, gravity_));
+    const Disk& disk = state_.disk(slot);
+    End& end = ends_[slot];
+    end.kinematics = kinematicsAt(disk, end_, gravity_);
+    end.event_count = disk.event_count;
+    return frame_.positionInto(vectorOf(end.kinematics.position));
   }
 
   /// Whether the disk may touch the base, or pass an end of an open or walled base.
   bool mayTouchBase(std::uint32_t slot, const Eigen::Vector2d& at) const
   {
-    const double radius = state_.radius(slot);
+    const double radius = ends_[slot].radius;
     if (turning_ && !withinEnds(at))
       return true;
     if (base_overlap_.overlaps(at.x(), at.y(), radius))
       return true;
-    const Two velocity = kinematicsAt(state_.disk(slot), end_, gravity_).velocity;
+    const Two velocity = ends_[slot].kinematics.velocity;
     const double reach = (std::abs(velocity[0]) + std::abs(velocity[1])) * length_ + base_reach_;
     return reach > base_overlap_.shortestPassage(radius) &&
            base_overlap_.overlaps(at.x(), at.y(), radius + reach);
@@ -176,13 +192,16 @@ private:
   /// find a contact.
   void pushOut(std::uint32_t slot)
   {
+    const Kinematics now = kinematicsAt(state_.disk(slot), start_, gravity_);
     const FrameOfBase& base = base_.at(start_);
-    const Eigen::Vector2d at = base.positionInto(positionAt(state_.disk(slot), start_, gravity_));
-    const auto way = base_overlap_.wayOut(at.x(), at.y(), state_.radius(slot));
+    const Eigen::Vector2d at = base.positionInto(vectorOf(now.position));
+    const auto way = base_overlap_.wayOut(at.x(), at.y(), ends_[slot].radius);
     if (!way)
       return;
     ++state_.observers().counts().pushed_out;
-    state_.redirect(slot, {twoOf(base.outOf({0.0, *way}))}, start_);
+    state_.endFlight(slot, now, start_);
+    state_.changeable(slot).position += base.outOf({0.0, *way});
+    ++state_.changeable(slot).event_count;
     redirect(slot);
   }
 
@@ -193,12 +212,17 @@ private:
   {
     if (slot == other)
       return;
-    const Disk& a = state_.disk(slot);
-    const Disk& b = state_.disk(other);
-    const Relative seen = FlightLine(a, shift * ring_.shift).seenFrom(b, end_);
-    const Eigen::Vector2d position = vectorOf(seen.position);
-    const Eigen::Vector2d velocity = vectorOf(seen.velocity) - shift * ring_.velocity;
-    const double excess = position.squaredNorm() - seen.distance * seen.distance;
+    const End& a = ends_[slot];
+    const End& b = ends_[other];
+    Eigen::Vector2d position = vectorOf(a.kinematics.position - b.kinematics.position);
+    Eigen::Vector2d velocity = vectorOf(a.kinematics.velocity - b.kinematics.velocity);
+    if (shift != 0)
+    {
+      position -= shift * ring_.shift;
+      velocity -= shift * ring_.velocity;
+    }
+    const double distance = a.radius + b.radius;
+    const double excess = position.squaredNorm() - distance * distance;
     if (excess >= 0.0)
       return;
     std::optional<double> time = end_ - timeSinceContact(position, velocity, excess);
@@ -210,7 +234,7 @@ private:
 
   void findBaseContact(std::uint32_t slot, double from)
   {
-    const BaseEvent event = state_.nextBaseEvent(slot, state_.flown(slot, from), end_, base_);
+    const BaseEvent event = state_.nextBaseEvent(slot, from, end_, base_);
     if (event.feature && event.time <= end_)
       contacts_.push({event.time, slot, state_.disk(slot).event_count, slot, 0, 0, event.feature});
   }
@@ -224,19 +248,16 @@ private:
   void execute(const StepContact& contact)
   {
     ++events_;
-    ++contacts_of_[contact.slot];
+    ++ends_[contact.slot].contacts;
     if (contact.feature)
     {
-      const bool turned = execution_.handleBaseEvent(contact.slot, contact.feature, contact.time, base_);
-      if (!turned && contacts_of_[contact.slot] < MOST_CONTACTS)
-        findBaseContact(contact.slot, contact.time);
-      if (turned && state_.active(contact.slot))
+      execution_.handleBaseEvent(contact.slot, contact.feature, contact.time, base_);
+      if (state_.active(contact.slot))
         searchFrom(contact.slot, redirect(contact.slot), contact.time);
       return;
     }
-    ++contacts_of_[contact.partner];
-    if (!execution_.collidePair(contact.slot, contact.partner, contact.shift, contact.time).closed)
-      return;
+    ++ends_[contact.partner].contacts;
+    execution_.collidePair(contact.slot, contact.partner, contact.shift, contact.time);
     const Eigen::Vector2d at = redirect(contact.slot);
     const Eigen::Vector2d partner_at = redirect(contact.partner);
     searchFrom(contact.slot, at, contact.time);
@@ -247,14 +268,14 @@ private:
   /// of the base
   Eigen::Vector2d redirect(std::uint32_t slot)
   {
-    Eigen::Vector2d at = atEnd(slot);
+    Eigen::Vector2d at = flyToEnd(slot);
     overlaps_.move(slot, at.x(), at.y());
     return at;
   }
 
   void searchFrom(std::uint32_t slot, const Eigen::Vector2d& at, double now)
   {
-    if (contacts_of_[slot] >= MOST_CONTACTS)
+    if (ends_[slot].contacts >= MOST_CONTACTS)
       return;
     overlaps_.forEachAround(slot, [this, now](std::uint32_t disk, std::uint32_t other, int shift)
                             { findContact(disk, other, shift, now); });
@@ -276,9 +297,9 @@ private:
   BaseOverlap base_overlap_;
   std::vector<std::uint32_t> near_base_;
   StepContacts contacts_;
-  std::vector<std::uint32_t> contacts_of_;  ///< within the step, per slot
-  FrameOfBase frame_;                       ///< at the end of the step
-  Image ring_;                              ///< shift by the base's width, at the end of the step
+  std::vector<End> ends_;  ///< per slot
+  FrameOfBase frame_;      ///< at the end of the step
+  Image ring_;             ///< shift by the base's width, at the end of the step
   double stopped_at_ = 0.0;
 };
 
