@@ -75,8 +75,6 @@ int listOnly(const Sweep& sweep, const SweepArguments& arguments)
   for (const std::string& line : cases.warnings.lines(sweep.size(), "case"))
     warn(line);
   listCases(sweep, cases, arguments.results, std::cout);
-  if (!std::cout.flush())
-    throw OutputError("the cases could not be written to standard output");
   for (const std::string& line : costLines(sweep))
     std::fprintf(stderr, "sieve_sweep: %s\n", line.c_str());
   return DONE;

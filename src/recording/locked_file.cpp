@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include <fcntl.h>
-#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,7 +12,7 @@ namespace ratchet_sieve
 namespace
 {
 
-constexpr int READER_PERIOD = 50;  ///< between looks for the reader of a pipe [ms]
+constexpr useconds_t READER_PERIOD = 50'000;  ///< between looks for the reader of a pipe [us]
 
 /// Of a descriptor, not of its process: two in one process exclude each other as well.
 struct flock lockOf(off_t byte, short type)
@@ -33,7 +32,7 @@ int openForWriting(const std::string& path)
   do
     descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0666);
   while (descriptor < 0 && errno == ENXIO && std::filesystem::is_fifo(path) &&
-         poll(nullptr, 0, READER_PERIOD) == 0);
+         usleep(READER_PERIOD) == 0);
   return descriptor;
 }
 

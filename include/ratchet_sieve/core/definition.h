@@ -186,7 +186,7 @@ struct PairDefinition
 /// What a run does when a disk undergoes an inelastic collapse: more and more contacts in less and less time.
 enum class CollapseAction
 {
-  STOP,    ///< The run ends with an error. An ensemble of independent disks ends at the end of its epoch.
+  STOP,    ///< The run ends with an error, at the instant of the first collapse.
   REBOUND  ///< The disk's contacts are elastic for a while, and the run counts the collapse; see
            ///< CollapseWatch.
 };

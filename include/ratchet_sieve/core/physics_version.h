@@ -15,8 +15,6 @@ namespace ratchet_sieve
 /// 4: runs on a periodic base that turns.
 /// 5: runs with a feed; the separation in the summary; standard errors of short runs; ensembles that
 /// collapse.
-/// 6: standard errors of means over trapped disks; contacts with a flat sawtooth; what is observed before
-/// `settle` ends.
-constexpr std::int64_t PHYSICS_VERSION = 6;
+constexpr std::int64_t PHYSICS_VERSION = 5;
 
 }  // namespace ratchet_sieve

@@ -37,7 +37,8 @@ def coloured(items):
     """Pairs of a colour and an item. From the seventh on the colours come again, each time half as strong."""
     for k, item in enumerate(items):
         repeats, place = divmod(k, len(COLOURS))
-        yield tuple(1.0 - (1.0 - part) / 2.0**repeats for part in to_rgb(COLOURS[place])), item
+        paler = tuple(1.0 - (1.0 - part) / 2.0**repeats for part in to_rgb(COLOURS[place]))
+        yield paler if repeats else COLOURS[place], item
 
 
 def styled():
