@@ -111,11 +111,12 @@ class Launch(Launched):
         message('/sieve/scene', SceneDescription)
 
     def test_in_step(self):
-        self.launch('sieve.launch', f'scene:={PACKAGE}/test/ros/mixture.yaml', *STILL)
+        # Under a name of its own: rospy gives later subscribers of a topic messages of the first one's type.
+        self.launch('sieve.launch', 'name:=stepped', f'scene:={PACKAGE}/test/ros/mixture.yaml', *STILL)
         bases = []
-        rospy.Subscriber('/sieve/base', BaseState, bases.append)
-        sieve = InStep()
-        setpoint = rospy.Publisher('/sieve/inclination_setpoint', Float64, queue_size=1)
+        rospy.Subscriber('/stepped/base', BaseState, bases.append)
+        sieve = InStep('stepped')
+        setpoint = rospy.Publisher('/stepped/inclination_setpoint', Float64, queue_size=1)
         wait_for(setpoint.get_num_connections, 'the sieve takes setpoints')
         sieve.reset(3, ['base.inclination=0.02'])
         self.assertEqual(bases[-1].inclination, 0.02)
@@ -126,12 +127,12 @@ class Launch(Launched):
             sieve.wait_for_setpoint('inclination', inclination)
         sieve.step(0.25)
         sieve.timeout = 0.1
-        with self.assertRaisesRegex(RuntimeError, '^/sieve at 0.75 s: no setpoint of inclination within 0.1 s$'):
+        with self.assertRaisesRegex(RuntimeError, '^/stepped at 0.75 s: no setpoint of inclination within 0.1 s$'):
             sieve.wait_for_setpoint()
-        with self.assertRaisesRegex(RuntimeError, '^/sieve at 0.75 s: no inclination = 0.2 within 0.1 s$'):
+        with self.assertRaisesRegex(RuntimeError, '^/stepped at 0.75 s: no inclination = 0.2 within 0.1 s$'):
             sieve.wait_for_setpoint('inclination', 0.2)
-        rospy.ServiceProxy('/sieve/unpause_physics', Empty)()
-        with self.assertRaisesRegex(RuntimeError, '^/sieve/step: the simulation is not paused'):
+        rospy.ServiceProxy('/stepped/unpause_physics', Empty)()
+        with self.assertRaisesRegex(RuntimeError, '^/stepped/step: the simulation is not paused'):
             sieve.step(0.25)
 
     def test_every_node_is_cleared(self):
