@@ -31,8 +31,7 @@ int openForWriting(const std::string& path)
   int descriptor = -1;
   do
     descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0666);
-  while (descriptor < 0 && errno == ENXIO && std::filesystem::is_fifo(path) &&
-         usleep(READER_PERIOD) == 0);
+  while (descriptor < 0 && errno == ENXIO && std::filesystem::is_fifo(path) && usleep(READER_PERIOD) == 0);
   return descriptor;
 }
 
