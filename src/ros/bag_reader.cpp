@@ -1,11 +1,11 @@
 #include "ratchet_sieve/ros/bag.h"
 
 #include <errno.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -29,6 +29,59 @@ namespace
 {
 /// Longest error message shown; it may contain a topic name [characters].
 constexpr std::size_t LONGEST_REASON = 300;
+
+/// While a bag is read. librosbag trusts its lengths and offsets: where they are damaged it reads outside of
+/// its buffers, or its allocator finds that. The program then ends with one line and status 1. What goes
+/// wrong in a sink is not the bag's fault.
+class DamageGuard
+{
+public:
+  explicit DamageGuard(const std::string& path)
+  {
+    reading = 1;  // an earlier sink may have thrown
+    line = std::string(program_invocation_short_name) + ": " + path + ": is damaged: try `rosbag reindex`\n";
+    struct sigaction action = {};
+    action.sa_handler = end;
+    for (std::size_t k = 0; k < before_.size(); ++k)
+      sigaction(SIGNALS[k], &action, &before_[k]);
+  }
+  ~DamageGuard()
+  {
+    for (std::size_t k = 0; k < before_.size(); ++k)
+      sigaction(SIGNALS[k], &before_[k], nullptr);
+  }
+  DamageGuard(const DamageGuard&) = delete;
+  DamageGuard& operator=(const DamageGuard&) = delete;
+
+  /// Hands a frame over, unguarded.
+  template <typename Frame>
+  static void give(const Frame& frame, FrameSink& sink)
+  {
+    reading = 0;
+    sink.take(frame);
+    reading = 1;
+  }
+
+private:
+  static void end(int number)
+  {
+    if (reading == 0)
+    {
+      signal(number, SIG_DFL);
+      raise(number);
+      return;
+    }
+    // Nothing else is safe here.
+    const ssize_t written = write(STDERR_FILENO, line.data(), line.size());
+    static_cast<void>(written);
+    _exit(EXIT_FAILURE);
+  }
+
+  static constexpr std::array<int, 3> SIGNALS = {SIGSEGV, SIGBUS, SIGABRT};
+  static inline std::string line;
+  static inline volatile std::sig_atomic_t reading = 1;
+  std::array<struct sigaction, SIGNALS.size()> before_;
+};
 
 /// The frames of one topic, with one frame of read-ahead.
 class Stream
@@ -56,7 +109,7 @@ public:
 
   void pass(FrameSink& sink) override
   {
-    sink.take(frame_);
+    DamageGuard::give(frame_, sink);
     next();
   }
 
@@ -204,39 +257,6 @@ void requireOneRun(const std::vector<RunPart>& parts)
   }
 }
 
-/// While a bag is read. librosbag trusts its lengths and offsets: where they are damaged it reads outside of
-/// its buffers, or its allocator finds that. The program then ends with one line and status 1.
-class DamageGuard
-{
-public:
-  explicit DamageGuard(const std::string& path)
-  {
-    line = std::string(program_invocation_short_name) + ": " + path + ": is damaged: try `rosbag reindex`\n";
-    struct sigaction action = {};
-    action.sa_handler = [](int /*signal*/)
-    {
-      // Nothing else is safe here.
-      const ssize_t written = write(STDERR_FILENO, line.data(), line.size());
-      static_cast<void>(written);
-      _exit(EXIT_FAILURE);
-    };
-    for (std::size_t k = 0; k < before_.size(); ++k)
-      sigaction(SIGNALS[k], &action, &before_[k]);
-  }
-  ~DamageGuard()
-  {
-    for (std::size_t k = 0; k < before_.size(); ++k)
-      sigaction(SIGNALS[k], &before_[k], nullptr);
-  }
-  DamageGuard(const DamageGuard&) = delete;
-  DamageGuard& operator=(const DamageGuard&) = delete;
-
-private:
-  static constexpr std::array<int, 3> SIGNALS = {SIGSEGV, SIGBUS, SIGABRT};
-  static inline std::string line;
-  std::array<struct sigaction, SIGNALS.size()> before_;
-};
-
 /// Opens a bag for `read`, and converts errors to BagError.
 template <typename Read>
 void withBag(const std::string& path, const Read& read)
@@ -261,7 +281,7 @@ void withBag(const std::string& path, const Read& read)
   {
     throw BagError(path + ": cannot be read as a bag: it asks for more memory than there is");
   }
-  catch (const std::invalid_argument& error)
+  catch (const std::logic_error& error)  // also of a length that is none
   {
     throw BagError(path + ": " + shownText(error.what(), LONGEST_REASON));
   }
