@@ -18,12 +18,12 @@ struct Bench
 };
 
 /// Adds a disk, of its species' own size unless it has a radius. @return its slot
-inline std::uint32_t addDisk(SystemState& system, Disk disk)
+inline std::uint32_t addDisk(SystemState& system, Disk disk, double time = 0.0)
 {
   const SpeciesDefinition& species = system.scene().species[disk.species];
   if (disk.radius == 0.0)
     disk.radius = species.radius;
-  return system.add(disk, propertiesOf(species, disk.radius));
+  return system.add(disk, propertiesOf(species, disk.radius), time);
 }
 
 }  // namespace ratchet_sieve::test

@@ -83,10 +83,11 @@ TEST(BouncingBall, HitsAPlateAtRestInAGeometricSeries)
   double time = fall, flight = 2.0 * fall;
   for (std::size_t k = 0; k < 25; ++k)
   {
-    // 4e-5 of 0.4 s are left before the last of these. A double resolves the position, 0.001 m, to 2e-19 m.
-    // That is g 2e-19 m / v = 4e-13 m/s of the impact speed v, which is at least 5e-6 m/s.
-    EXPECT_NEAR(records[k].time, time, 1e-13) << k;
-    EXPECT_NEAR(records[k].normal_speed, GRAVITY * fall * std::pow(0.6, k), 1e-12) << k;
+    // 4e-5 of 0.4 s are left before the last of these. A double resolves the way of a flight since the
+    // epoch's zero, up to 1 m, to 1e-16 m. The impact speed v is at least 5e-6 m/s: that is 1e-16 m / v =
+    // 2e-11 s.
+    EXPECT_NEAR(records[k].time, time, 5e-11) << k;
+    EXPECT_NEAR(records[k].normal_speed, GRAVITY * fall * std::pow(0.6, k), GRAVITY * 5e-11) << k;
     flight *= 0.6;
     time += flight;
   }

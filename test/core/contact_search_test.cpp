@@ -114,13 +114,14 @@ TEST(ContactSearch, AboveTheBandItIsFreeUntilItComesDown)
   const BaseMotion motion(base, 10.0);
   const ContactSearch search(shape, motion, GRAVITY, RESOLUTION);
   Disk disk;
+  disk.radius = 0.001;
   disk.position.x() = 0.1;
   disk.position.y() = 1.0;
   const double into_the_band = std::sqrt(2.0 * (1.0 - 0.006 - 0.002 - 0.001) / GRAVITY);
-  const BaseEvent above = search.find(disk, 0.001, 0.0, 0.9 * into_the_band);
+  const BaseEvent above = search.find(disk, 0.0, 0.9 * into_the_band);
   EXPECT_FALSE(above.feature);
   EXPECT_GE(above.time, 0.9 * into_the_band);
-  const BaseEvent down = search.find(disk, 0.001, above.time, 1.0);
+  const BaseEvent down = search.find(disk, above.time, 1.0);
   EXPECT_TRUE(down.feature);
   EXPECT_GT(down.time, into_the_band);
 }
@@ -132,10 +133,11 @@ TEST(ContactSearch, ADiskThatLeavesAnOpenBaseIsSeenAtItsEnd)
   const BaseMotion motion(base, 10.0);
   const ContactSearch search(shape, motion, GRAVITY, RESOLUTION);
   Disk disk;
+  disk.radius = 0.001;
   disk.position.x() = 0.399;
   disk.position.y() = 0.1;
   disk.velocity.x() = 0.5;
-  const BaseEvent event = search.find(disk, 0.001, 0.0, 0.1);
+  const BaseEvent event = search.find(disk, 0.0, 0.1);
   ASSERT_TRUE(event.feature);
   EXPECT_EQ(event.feature.kind(), BaseFeatureKind::RIGHT_END);
   EXPECT_NEAR(event.time, 0.002, 1e-14);

@@ -76,7 +76,7 @@ inline BaseEvent searchOn(const ContactSearch& search, const Disk& disk)
 {
   BaseEvent event{0.0, {}};
   for (int i = 0; i < 2000 && !event.feature && event.time < HORIZON; ++i)
-    event = search.find(disk, disk.radius, event.time, HORIZON);
+    event = search.find(disk, event.time, HORIZON);
   return event;
 }
 

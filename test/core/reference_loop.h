@@ -97,9 +97,9 @@ private:
     {
       if (!state_.active(i))
         continue;
-      BaseEvent base{std::max(now_, state_.disk(i).time), {}};
+      BaseEvent base{now_, {}};
       while (!base.feature && base.time < end)
-        base = state_.search().find(state_.disk(i), state_.radius(i), base.time, end);
+        base = state_.search().find(state_.disk(i), base.time, end);
       if (base.feature)
         take({base.time, i, i, 0, base.feature});
       for (std::uint32_t j = 0; j < i; ++j)

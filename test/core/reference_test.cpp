@@ -123,7 +123,7 @@ std::vector<ReferenceCase> referenceCases()
   {
     const std::string at = ", boundary " + std::to_string(static_cast<int>(boundary));
     for (const double ratio : {4.0, 6.0, 10.0})
-      all.push_back({"nested 1:" + std::to_string(ratio) + at, nested({ratio}, boundary)});
+      all.push_back({"nested 1:" + std::to_string(ratio) + at, nested({ratio}, boundary), 180});
     for (const DriveFrame frame : {world, base})
     {
       const std::string how = at + (frame == base ? ", frame of the base" : "");

@@ -15,6 +15,7 @@ namespace ratchet_sieve
 /// 4: runs on a periodic base that turns.
 /// 5: runs with a feed; the separation in the summary; standard errors of short runs; ensembles that
 /// collapse.
-constexpr std::int64_t PHYSICS_VERSION = 5;
+/// 6: all runs: a disk's flight is kept from the epoch's zero.
+constexpr std::int64_t PHYSICS_VERSION = 6;
 
 }  // namespace ratchet_sieve

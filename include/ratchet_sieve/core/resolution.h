@@ -25,6 +25,10 @@ double epochLength(double time_scale);
 /// infinity if the speed is 0.
 double longestEpoch(double speed, double radius);
 
+/// The same for disks that fall, but a tenth of that overlap: flights, too, are counted from the start of an
+/// epoch.
+double longestFall(double gravity, double radius);
+
 /// The largest distance from the origin at which positions are resolved finely enough for disks of this
 /// radius [m].
 double farthestPlace(double radius);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ratchet_sieve/core/resolution.h"
 
@@ -98,7 +99,7 @@ bool DiskCells::endEpoch(std::uint64_t events, double time)
 
 void DiskCells::archive(StateArchive& state)
 {
-  state(frame_, fit_, lattice_turns_, images_, grid_, capacity_, built_for_);
+  state(frame_, above_base_, fit_, lattice_turns_, images_, grid_, capacity_, built_for_);
   if (state.restoring())
     openSeam();
 }
@@ -112,6 +113,10 @@ CellGrid DiskCells::makeGrid()
   // The frame of the base at the start of the motion's segment; in its middle if the lattice turns.
   const double start = motion.segmentStart();
   frame_ = motion.at(lattice_turns_ ? 0.5 * (start + *motion.nextChange()) : start);
+  // Ends and walls are as high as any row, and a base that turns leans against the rows.
+  above_base_ = periodic && !motion.turning()
+                    ? state_.shape().relief() + 0.5 * state_.largestDiameter() + motion.reach().y()
+                    : std::numeric_limits<double>::infinity();
   images_.assign(lattice_turns_ ? capacity_ : 0, 0);
   const Sizes now = sizes();
   const CellLayout layout = fit_.layout().value_or(layerLayout(now));

@@ -65,11 +65,12 @@ public:
     add(slot, time, share);
   }
 
-  /// When the disk next leaves its cell after `from` and before `until`, and by which edge.
-  Crossing nextCrossing(std::uint32_t slot, double from, double until) const
+  /// When the disk next leaves its cell after `start` and before `until`, and by which edge.
+  Crossing nextCrossing(std::uint32_t slot, const Kinematics& start, double until) const
   {
+    const double from = start.time;
     const CellGrid::Cell cell = grid_.cellOf(slot);
-    const BasePoint at = inGrid(slot, from);
+    const BasePoint at = inGrid(slot, start);
     const auto fall = verticalIntoBase(frame_.rotation, -state_.scene().gravity);
     Crossing first{Edge::NONE, until};
     // Inlined: a call costs 1 % of a run.
@@ -94,6 +95,9 @@ public:
       leave(Edge::UPPER, grid_.rowStart(cell.row + 1) - at.n(), -at.velocity.y(), -fall.second);
     return first;
   }
+
+  /// Whether a disk is clear of the base anywhere in its cell.
+  bool aboveBase(std::uint32_t slot) const { return grid_.rowStart(grid_.cellOf(slot).row) >= above_base_; }
 
   /// Moves a disk over an edge into the next cell. @return whether it was wrapped, which changes its flight
   bool cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* share);
@@ -160,18 +164,19 @@ private:
 
   /// The position of a disk, or of its image in the grid, in the fixed frame of the cells.
   // Inlined: a call costs 2 % of a run.
-  [[gnu::always_inline]] BasePoint inGrid(std::uint32_t slot, double time) const
+  [[gnu::always_inline]] BasePoint inGrid(std::uint32_t slot, const Kinematics& now) const
   {
-    const Kinematics now = kinematicsAt(state_.disk(slot), time, state_.scene().gravity);
     BasePoint point{frame_.into(vectorOf(now.position)), frame_.into(vectorOf(now.velocity))};
     point.position.y() += state_.shape().depth();
     if (lattice_turns_)
       point.position.x() += images_[slot] * state_.shape().width();
     return point;
   }
+  BasePoint inGrid(std::uint32_t slot, double time) const { return inGrid(slot, state_.flown(slot, time)); }
 
   SystemState& state_;
-  FrameOfBase frame_;  ///< of the cells: see makeGrid()
+  FrameOfBase frame_;        ///< of the cells: see makeGrid()
+  double above_base_ = 0.0;  ///< from this height over its lowest corner on, no disk reaches the base [m]
   CellFit fit_;
   std::size_t capacity_;
   std::size_t built_for_;             ///< number of disks when the grid was built

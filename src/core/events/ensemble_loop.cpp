@@ -296,7 +296,8 @@ private:
 
   BaseEvent search(std::uint32_t slot, double from)
   {
-    return state_.nextBaseEvent(slot, from, std::numeric_limits<double>::infinity(), base_);
+    return state_.nextBaseEvent(slot, state_.flown(slot, from), std::numeric_limits<double>::infinity(),
+                                base_);
   }
 
   SystemState& state_;

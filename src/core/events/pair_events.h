@@ -152,13 +152,12 @@ private:
   void processPair(std::uint32_t slot, double now)
   {
     const DiskPrediction p = prediction(slot);
-    if (layer_.isStale(p))
+    if (layer_.isStale(p) || !execution_.collidePair(slot, p.pair.partner, p.pair.shift, now).closed)
     {
       searchPairs(slot, now);
       refresh(slot);
       return;
     }
-    execution_.collidePair(slot, p.pair.partner, p.pair.shift, now);
     predict(slot, now);
     predict(p.pair.partner, now);
   }
@@ -166,7 +165,11 @@ private:
   void processBase(std::uint32_t slot, double now)
   {
     const BaseFeature feature = prediction(slot).base.feature;
-    execution_.handleBaseEvent(slot, feature, now, base_);
+    if (!execution_.handleBaseEvent(slot, feature, now, base_))
+    {
+      prediction(slot).base = {now, {}};
+      return refresh(slot);
+    }
     if (state_.active(slot))
     {
       if (feature.isEnd())
@@ -221,15 +224,19 @@ private:
   void refresh(std::uint32_t slot)
   {
     DiskPrediction& p = prediction(slot);
+    // The two usually begin at the same time.
+    const Kinematics point = state_.flown(slot, p.base.time);
     if (p.edge == CellEdge::NONE && p.cell_time < p.pair.time)
     {
-      const DiskCells::Crossing crossing = cells_.nextCrossing(slot, p.cell_time, p.pair.time);
+      const DiskCells::Crossing crossing = cells_.nextCrossing(
+          slot, p.cell_time == point.time ? point : state_.flown(slot, p.cell_time), p.pair.time);
       p.edge = crossing.edge;
       p.cell_time = crossing.time;
     }
     const double others = std::min(p.pair.time, p.cell_time);
     if (!p.base.feature && p.base.time < others)
-      p.base = state_.nextBaseEvent(slot, p.base.time, others, base_);
+      p.base =
+          cells_.aboveBase(slot) ? BaseEvent{others, {}} : state_.nextBaseEvent(slot, point, others, base_);
     queue_.update(slot, std::min(others, p.base.time));
   }
 

@@ -96,15 +96,6 @@ private:
   /// A disk with this many contacts within a step starts no further search in the step.
   static constexpr std::uint32_t MOST_CONTACTS = 100;
 
-  /// A disk at the end of the step, in the absence of further contacts.
-  struct End
-  {
-    Kinematics kinematics;
-    double radius;              ///< [m]
-    std::uint32_t event_count;  ///< the disk's count when this was computed
-    std::uint32_t contacts;     ///< number of contacts within the step
-  };
-
   /// @return false if the run must stop
   bool advanceBy(double end)
   {
@@ -134,7 +125,7 @@ private:
   void placeDisks()
   {
     near_base_.clear();
-    ends_.resize(state_.disks().size());
+    contacts_of_.assign(state_.disks().size(), 0);
     overlaps_.begin(state_.disks().size());
     length_ = end_ - start_;
     base_reach_ = state_.motion().speedBound() * length_;
@@ -143,15 +134,13 @@ private:
     {
       if (!state_.active(slot))
         continue;
-      ends_[slot].radius = state_.radius(slot);
-      ends_[slot].contacts = 0;
-      Eigen::Vector2d at = flyToEnd(slot);
+      Eigen::Vector2d at = atEnd(slot);
       if (!withinEnds(at))
       {
         state_.wrapIntoWidth(slot, at.x(), start_);
-        at = flyToEnd(slot);
+        at = atEnd(slot);
       }
-      overlaps_.place(slot, at.x(), at.y(), ends_[slot].radius);
+      overlaps_.place(slot, at.x(), at.y(), state_.radius(slot));
       if (mayTouchBase(slot, at))
         near_base_.push_back(slot);
     }
@@ -163,26 +152,21 @@ private:
     return at.x() >= 0.0 && at.x() < state_.shape().width();
   }
 
-  /// Computes the disk's position at the end of the step in the absence of contacts. @return the position in
-  /// the frame of the base
-  Eigen::Vector2d flyToEnd(std::uint32_t slot)
+  /// The disk's position at the end of the step in the absence of contacts, in the frame of the base.
+  Eigen::Vector2d atEnd(std::uint32_t slot) const
   {
-    const Disk& disk = state_.disk(slot);
-    End& end = ends_[slot];
-    end.kinematics = kinematicsAt(disk, end_, gravity_);
-    end.event_count = disk.event_count;
-    return frame_.positionInto(vectorOf(end.kinematics.position));
+    return frame_.positionInto(positionAt(state_.disk(slot), end_, gravity_));
   }
 
   /// Whether the disk may touch the base, or pass an end of an open or walled base.
   bool mayTouchBase(std::uint32_t slot, const Eigen::Vector2d& at) const
   {
-    const double radius = ends_[slot].radius;
+    const double radius = state_.radius(slot);
     if (turning_ && !withinEnds(at))
       return true;
     if (base_overlap_.overlaps(at.x(), at.y(), radius))
       return true;
-    const Two velocity = ends_[slot].kinematics.velocity;
+    const Two velocity = kinematicsAt(state_.disk(slot), end_, gravity_).velocity;
     const double reach = (std::abs(velocity[0]) + std::abs(velocity[1])) * length_ + base_reach_;
     return reach > base_overlap_.shortestPassage(radius) &&
            base_overlap_.overlaps(at.x(), at.y(), radius + reach);
@@ -192,16 +176,13 @@ private:
   /// find a contact.
   void pushOut(std::uint32_t slot)
   {
-    const Kinematics now = kinematicsAt(state_.disk(slot), start_, gravity_);
     const FrameOfBase& base = base_.at(start_);
-    const Eigen::Vector2d at = base.positionInto(vectorOf(now.position));
-    const auto way = base_overlap_.wayOut(at.x(), at.y(), ends_[slot].radius);
+    const Eigen::Vector2d at = base.positionInto(positionAt(state_.disk(slot), start_, gravity_));
+    const auto way = base_overlap_.wayOut(at.x(), at.y(), state_.radius(slot));
     if (!way)
       return;
     ++state_.observers().counts().pushed_out;
-    state_.endFlight(slot, now, start_);
-    state_.changeable(slot).position += base.outOf({0.0, *way});
-    ++state_.changeable(slot).event_count;
+    state_.redirect(slot, {twoOf(base.outOf({0.0, *way}))}, start_);
     redirect(slot);
   }
 
@@ -212,17 +193,12 @@ private:
   {
     if (slot == other)
       return;
-    const End& a = ends_[slot];
-    const End& b = ends_[other];
-    Eigen::Vector2d position = vectorOf(a.kinematics.position - b.kinematics.position);
-    Eigen::Vector2d velocity = vectorOf(a.kinematics.velocity - b.kinematics.velocity);
-    if (shift != 0)
-    {
-      position -= shift * ring_.shift;
-      velocity -= shift * ring_.velocity;
-    }
-    const double distance = a.radius + b.radius;
-    const double excess = position.squaredNorm() - distance * distance;
+    const Disk& a = state_.disk(slot);
+    const Disk& b = state_.disk(other);
+    const Relative seen = FlightLine(a, shift * ring_.shift).seenFrom(b, end_);
+    const Eigen::Vector2d position = vectorOf(seen.position);
+    const Eigen::Vector2d velocity = vectorOf(seen.velocity) - shift * ring_.velocity;
+    const double excess = position.squaredNorm() - seen.distance * seen.distance;
     if (excess >= 0.0)
       return;
     std::optional<double> time = end_ - timeSinceContact(position, velocity, excess);
@@ -234,7 +210,7 @@ private:
 
   void findBaseContact(std::uint32_t slot, double from)
   {
-    const BaseEvent event = state_.nextBaseEvent(slot, from, end_, base_);
+    const BaseEvent event = state_.nextBaseEvent(slot, state_.flown(slot, from), end_, base_);
     if (event.feature && event.time <= end_)
       contacts_.push({event.time, slot, state_.disk(slot).event_count, slot, 0, 0, event.feature});
   }
@@ -248,16 +224,19 @@ private:
   void execute(const StepContact& contact)
   {
     ++events_;
-    ++ends_[contact.slot].contacts;
+    ++contacts_of_[contact.slot];
     if (contact.feature)
     {
-      execution_.handleBaseEvent(contact.slot, contact.feature, contact.time, base_);
-      if (state_.active(contact.slot))
+      const bool turned = execution_.handleBaseEvent(contact.slot, contact.feature, contact.time, base_);
+      if (!turned && contacts_of_[contact.slot] < MOST_CONTACTS)
+        findBaseContact(contact.slot, contact.time);
+      if (turned && state_.active(contact.slot))
         searchFrom(contact.slot, redirect(contact.slot), contact.time);
       return;
     }
-    ++ends_[contact.partner].contacts;
-    execution_.collidePair(contact.slot, contact.partner, contact.shift, contact.time);
+    ++contacts_of_[contact.partner];
+    if (!execution_.collidePair(contact.slot, contact.partner, contact.shift, contact.time).closed)
+      return;
     const Eigen::Vector2d at = redirect(contact.slot);
     const Eigen::Vector2d partner_at = redirect(contact.partner);
     searchFrom(contact.slot, at, contact.time);
@@ -268,14 +247,14 @@ private:
   /// of the base
   Eigen::Vector2d redirect(std::uint32_t slot)
   {
-    Eigen::Vector2d at = flyToEnd(slot);
+    Eigen::Vector2d at = atEnd(slot);
     overlaps_.move(slot, at.x(), at.y());
     return at;
   }
 
   void searchFrom(std::uint32_t slot, const Eigen::Vector2d& at, double now)
   {
-    if (ends_[slot].contacts >= MOST_CONTACTS)
+    if (contacts_of_[slot] >= MOST_CONTACTS)
       return;
     overlaps_.forEachAround(slot, [this, now](std::uint32_t disk, std::uint32_t other, int shift)
                             { findContact(disk, other, shift, now); });
@@ -297,9 +276,9 @@ private:
   BaseOverlap base_overlap_;
   std::vector<std::uint32_t> near_base_;
   StepContacts contacts_;
-  std::vector<End> ends_;  ///< per slot
-  FrameOfBase frame_;      ///< at the end of the step
-  Image ring_;             ///< shift by the base's width, at the end of the step
+  std::vector<std::uint32_t> contacts_of_;  ///< within the step, per slot
+  FrameOfBase frame_;                       ///< at the end of the step
+  Image ring_;                              ///< shift by the base's width, at the end of the step
   double stopped_at_ = 0.0;
 };
 

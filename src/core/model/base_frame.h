@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "model/motion.h"
+#include "model/disk.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
@@ -60,10 +60,11 @@ struct FrameOfBase
   }
 
   /// Position and velocity relative to the base, from those in the world.
-  BasePoint see(const Eigen::Vector2d& position, const Eigen::Vector2d& speed) const
+  BasePoint see(const Kinematics& disk) const
   {
-    const auto at = intoBase(rotation, position.x() - displacement.x(), position.y() - displacement.y());
-    const auto going = intoBase(rotation, speed.x() - velocity.x(), speed.y() - velocity.y());
+    const auto at =
+        intoBase(rotation, disk.position[0] - displacement.x(), disk.position[1] - displacement.y());
+    const auto going = intoBase(rotation, disk.velocity[0] - velocity.x(), disk.velocity[1] - velocity.y());
     return {{at.first, at.second},
             {going.first + inclination_rate * at.second, going.second - inclination_rate * at.first}};
   }

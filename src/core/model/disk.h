@@ -1,7 +1,7 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <cstring>
 
 #include <Eigen/Core>
 
@@ -13,56 +13,75 @@
 namespace ratchet_sieve
 {
 
-/// A disk in free flight. Its state is given at its own time, not at the simulation's (delayed states). World
-/// frame; times are local to the engine's present epoch. One cache line with all that a search reads; the
-/// rest is in DiskProperties and Trajectory.
+/// Position (x, y) and velocity (vx, vy) of a disk at a time. Side by side in registers, because they are
+/// evaluated very often: Eigen's vectors take 5 % more instructions (Fig. 8).
+struct Kinematics
+{
+  Two position;  ///< [m]
+  Two velocity;  ///< [m/s]
+  double time;   ///< [s]
+};
+
+/// A disk in free flight. World frame; times are local to the engine's present epoch. It is at P + V t - g
+/// t^2 / 2, whenever the flight began: P and V are its position and velocity at time 0, were it on this
+/// flight then. So two disks are a straight line apart, dP + dV t. One cache line with all that a search
+/// reads; the rest is in DiskProperties and Trajectory.
 struct alignas(64) Disk
 {
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
-  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s]
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< P; where it left once it has left [m]
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< V [m/s]
   double spin = 0.0;                                   ///< counter-clockwise [rad/s]
   double radius = 0.0;                                 ///< [m]
-  double time = 0.0;                                   ///< of this state [s]
+  std::array<float, 2> lost{};                         ///< what P has lost to rounding, see redirect() [m]
   std::uint32_t species = 0;
-  std::uint32_t event_count = 0;  ///< counts changes of the trajectory, to detect stale predictions
+  std::uint32_t event_count = 0;  ///< counts changes of the flight, to detect stale predictions
+
+  /// Moves the disk by `way` and adds `push` to its velocity, at `time`.
+  ///
+  /// In an inelastic collapse contacts follow one another before the disk has moved by one resolution of its
+  /// position. If each rounded P anew, the disk would stand still or run ahead while its partner moves on. So
+  /// what is lost by one is made good by the next.
+  void redirect(Two way, Two push, double time)
+  {
+    const Two before = twoOf(velocity);
+    const Two after = before + push;
+    const Two from = twoOf(position);
+    const Two change = way + Two{lost[0], lost[1]} - (after - before) * time;
+    const Two to = from + change;
+    const Two rest = (from - to) + change;
+    lost = {static_cast<float>(rest[0]), static_cast<float>(rest[1])};
+    store(to, position);
+    store(after, velocity);
+    countEvent();
+  }
 
   /// Another thread may read the count meanwhile, to see that it is not the one of its prediction.
   void countEvent() { __atomic_store_n(&event_count, event_count + 1, __ATOMIC_RELAXED); }
   std::uint32_t eventCount() const { return __atomic_load_n(&event_count, __ATOMIC_RELAXED); }
 
-  void archive(StateArchive& state) { state(position, velocity, spin, radius, time, species, event_count); }
+  void archive(StateArchive& state) { state(position, velocity, spin, radius, lost, species, event_count); }
 };
 
-/// Position (x, y) and velocity (vx, vy) of a disk. Side by side in registers, because the pair search
-/// evaluates very many: Eigen's vectors take 5 % more instructions (Fig. 8).
-struct Kinematics
-{
-  Two position;  ///< [m]
-  Two velocity;  ///< [m/s]
-};
-
-/// Position and velocity at `time` on the disk's parabola. The only place where this is computed, so that all
-/// callers get the same bits.
+/// Position and velocity at `time`. The only place where this is computed, so that all callers get the same
+/// bits.
 inline Kinematics kinematicsAt(const Disk& disk, double time, double gravity)
 {
-  const double elapsed = time - disk.time;
-  const Two fall{0.0, gravity * elapsed};
-  const Two velocity{disk.velocity.x(), disk.velocity.y()};
-  return {positionAfter(Two{disk.position.x(), disk.position.y()}, velocity, fall, elapsed),
-          velocityAfter(velocity, fall)};
+  const Two fall{0.0, gravity * time};
+  const Two velocity = twoOf(disk.velocity);
+  return {positionAfter(twoOf(disk.position), velocity, fall, time), velocityAfter(velocity, fall), time};
 }
 
-/// The disk at another time on the same parabola.
-inline Disk flown(const Disk& disk, double time, double gravity)
+inline Eigen::Vector2d positionAt(const Disk& disk, double time, double gravity)
 {
-  const Kinematics kinematics = kinematicsAt(disk, time, gravity);
-  Disk later = disk;
-  // One store each, as wide as the later load: two stores of 8 bytes before a load of 16 bytes cause a
-  // store-forwarding stall.
-  std::memcpy(later.position.data(), &kinematics.position, sizeof kinematics.position);
-  std::memcpy(later.velocity.data(), &kinematics.velocity, sizeof kinematics.velocity);
-  later.time = time;
-  return later;
+  return vectorOf(kinematicsAt(disk, time, gravity).position);
+}
+
+/// Counts the disk's time from `zero` on.
+inline void moveZero(Disk& disk, double zero, double gravity)
+{
+  const Kinematics then = kinematicsAt(disk, zero, gravity);
+  store(then.position, disk.position);
+  store(then.velocity, disk.velocity);
 }
 
 /// The properties of one disk that never change, besides its species and its radius, which the searches read

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 #include <Eigen/Core>
 
@@ -32,6 +33,20 @@ using Two = double __attribute__((vector_size(16)));
 inline Eigen::Vector2d vectorOf(Two x)
 {
   return {x[0], x[1]};
+}
+
+inline Two twoOf(const Eigen::Vector2d& x)
+{
+  Two two;
+  std::memcpy(&two, __builtin_assume_aligned(x.data(), alignof(Eigen::Vector2d)), sizeof two);
+  return two;
+}
+
+/// By one store, as wide as the later load: two stores of 8 bytes before a load of 16 bytes cause a
+/// store-forwarding stall.
+inline void store(Two x, Eigen::Vector2d& to)
+{
+  std::memcpy(__builtin_assume_aligned(to.data(), alignof(Eigen::Vector2d)), &x, sizeof x);
 }
 
 /// Square roots of the elements, 0 for negative ones.

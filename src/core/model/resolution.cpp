@@ -27,6 +27,9 @@ constexpr double LARGEST_OVERLAP = 1e-9;
 /// the rounding of its phase and of positions.
 constexpr double BASE_SHARE = 0.5;
 
+/// The same for the way that a disk falls within it at the end of an epoch.
+constexpr double FALL_SHARE = 0.05;
+
 /// Number of roundings in computing a gap, in units of the resolution of the largest position.
 constexpr double ROUNDINGS_PER_GAP = 4.0;
 
@@ -73,6 +76,12 @@ double longestEpoch(double speed, double radius)
 {
   const double step = BASE_SHARE * LARGEST_OVERLAP * radius / speed;
   return std::exp2(std::floor(std::log2(step / timeResolution(1.0))));
+}
+
+double longestFall(double gravity, double radius)
+{
+  const double squared = FALL_SHARE * LARGEST_OVERLAP * radius / (gravity * timeResolution(1.0));
+  return std::exp2(std::floor(0.5 * std::log2(squared)));
 }
 
 double timeResolution(double epoch_length)

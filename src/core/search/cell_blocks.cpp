@@ -54,6 +54,20 @@ void CellBlocks::popFullBlock(std::size_t cell)
   lock_.unlock();
 }
 
+/// Copies a cell's full blocks to the end of a list, and leaves room for others after them.
+std::uint32_t* CellBlocks::copyOverflow(std::uint32_t entry, std::vector<std::uint32_t>& list,
+                                        std::uint32_t* to, std::size_t room) const
+{
+  for (; entry != NONE; entry = full_[entry].next)
+  {
+    const auto count = static_cast<std::size_t>(to - list.data());
+    if (list.size() < count + Block::CAPACITY + room)
+      list.resize(2 * (count + Block::CAPACITY + room));
+    to = copy(full_[entry], list.data() + count);
+  }
+  return to;
+}
+
 void CellBlocks::sortOverflow()
 {
   std::vector<Block> sorted;

@@ -36,21 +36,24 @@ public:
   /// Number of cells.
   std::size_t size() const { return blocks_.size(); }
 
-  /// Appends the disks of a cell to the first `count` of the list. @return the new count
-  std::size_t collect(std::size_t cell, std::vector<std::uint32_t>& list, std::size_t count) const
+  /// Appends the disks of `rows` times `columns` cells to the first `count` of the list: row by row, each
+  /// from the cell `first` on, `stride` cells after the one before. @return the new count
+  std::size_t collect(std::size_t first, std::size_t columns, std::size_t rows, std::size_t stride,
+                      std::vector<std::uint32_t>& list, std::size_t count) const
   {
-    const Block* block = &blocks_[cell];
-    while (true)
-    {
-      if (list.size() < count + Block::CAPACITY)
-        list.resize(2 * (count + Block::CAPACITY));
-      // Copies the whole block regardless of its count: this needs no branch.
-      std::memcpy(list.data() + count, block->slots.data(), sizeof block->slots);
-      count += block->count;
-      if (block->next == NONE)
-        return count;
-      block = &full_[block->next];
-    }
+    const std::size_t room = rows * columns * Block::CAPACITY;
+    if (list.size() < count + room)
+      list.resize(2 * (count + room));
+    std::uint32_t* to = list.data() + count;
+    const Block* row = &blocks_[first];
+    for (std::size_t r = 0; r < rows; ++r, row += stride)
+      for (const Block* block = row; block != row + columns; ++block)
+      {
+        to = copy(*block, to);
+        if (block->next != NONE)
+          to = copyOverflow(block->next, list, to, room);
+      }
+    return static_cast<std::size_t>(to - list.data());
   }
 
   /// Allocates the overflow list for this number of disks in all cells.
@@ -92,6 +95,14 @@ private:
     std::atomic<bool> taken_{false};
   };
 
+  /// Copies the whole block regardless of its count: this needs no branch. @return the end of its disks
+  static std::uint32_t* copy(const Block& block, std::uint32_t* to)
+  {
+    std::memcpy(to, block.slots.data(), sizeof block.slots);
+    return to + block.count;
+  }
+  std::uint32_t* copyOverflow(std::uint32_t entry, std::vector<std::uint32_t>& list, std::uint32_t* to,
+                              std::size_t room) const;
   void sortOverflow();
   void pushFullBlock(std::size_t cell);
   void popFullBlock(std::size_t cell);

@@ -126,10 +126,12 @@ public:
     const int last_column = cell.column + around.last_column;
     const auto visit_columns = [&](int first, int last, int shift)
     {
-      std::size_t count = 0;
-      for (int row = first_row; row <= last_row; ++row)
-        for (int column = first; column <= last; ++column)
-          count = blocks_.collect(index({column, row}), list, count);
+      if (first > last || first_row > last_row)
+        return;
+      const std::size_t count =
+          blocks_.collect(index({first, first_row}), static_cast<std::size_t>(last - first) + 1,
+                          static_cast<std::size_t>(last_row - first_row) + 1,
+                          static_cast<std::size_t>(shape_.columns), list, 0);
       visit(list.data(), count, shift);
     };
     visit_columns(std::max(first_column, 0), std::min(last_column, shape_.columns - 1), 0);

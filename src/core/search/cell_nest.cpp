@@ -203,8 +203,9 @@ std::size_t CellNest::collect(const Place& place, const Buckets& buckets, const 
     const auto read = [&](std::int32_t from, std::int32_t to)
     {
       const std::size_t start = static_cast<std::size_t>(row) * buckets.columns;
-      for (std::int32_t column = from; column <= to; ++column)
-        count = buckets.blocks->collect(start + static_cast<std::size_t>(column), list, count);
+      if (from <= to)
+        count = buckets.blocks->collect(start + static_cast<std::size_t>(from),
+                                        static_cast<std::size_t>(to - from) + 1, 1, 0, list, count);
     };
     const Span all{span.first >> buckets.shift, span.last >> buckets.shift};
     // Buckets that are skipped as a whole; if there are none, those after the last.

@@ -24,18 +24,18 @@ constexpr double MAX_TURN_PER_STEP = 0.05;
 constexpr double MAX_SECTIONS_PER_STEP = 16.0;
 }  // namespace
 
-BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, double until,
-                              BaseInstant& base) const
+BaseEvent ContactSearch::find(const Disk& disk, const Kinematics& from, double until, BaseInstant& base) const
 {
-  if (staysAbove(disk, radius, from, until, base))
+  if (staysAbove(disk, from, until, base))
     return {until, {}};
+  const double radius = disk.radius;
   const Direction forced = forcedDirection();
-  double time = nearTime(disk, radius, from);
+  double time = nearTime(radius, from);
   for (int i = 0; i < MAX_STEPS; ++i)
   {
     if (time >= until)
       return {time, {}};
-    const BasePoint point = seenFromBase(disk, i == 0 ? base.at(time) : motion_.at(time), time);
+    const BasePoint point = time == from.time ? base.at(time).see(from) : seenFromBase(disk, time);
     const double span = std::min(until - time, longestSpan());
     const double acceleration = relativeAccelerationBound(point, span);
     Step step(point, radius, acceleration, forced, span, time_resolution_);
@@ -47,26 +47,25 @@ BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, doub
     if (step.contact())
       return {time, step.contact()};
     if (const SureContact* sure = step.sureContact())
-      if (const auto contact = refine(disk, radius, *sure, time))
+      if (const auto contact = refine(disk, *sure, time))
         return {*contact, sure->feature};
     time += step.freeTime();
     if (point.n() > shape_.height() + radius)
-      time = nearTime(disk, radius, time);
+      time = nearTime(radius, kinematicsAt(disk, time, gravity_));
   }
   return {time, {}};
 }
 
 /// Newton's method on the gap to the one feature that is certain to be hit. The gap decreases throughout the
 /// interval, so there is one root. Nothing if it does not converge.
-std::optional<double> ContactSearch::refine(const Disk& disk, double radius, const SureContact& sure,
-                                            double time) const
+std::optional<double> ContactSearch::refine(const Disk& disk, const SureContact& sure, double time) const
 {
   const double earliest = time + sure.earliest;
   const double latest = time + sure.latest;
   double at = std::clamp(time - sure.gap / sure.rate, earliest, latest);
   for (int i = 0; i < MAX_REFINEMENTS; ++i)
   {
-    const Approach now = shape_.approach(sure.feature, seenFromBase(disk, motion_.at(at), at), radius);
+    const Approach now = shape_.approach(sure.feature, seenFromBase(disk, at), disk.radius);
     if (!(now.rate < 0.0))
       return std::nullopt;
     const double step = -now.gap / now.rate;
@@ -81,41 +80,33 @@ std::optional<double> ContactSearch::refine(const Disk& disk, double radius, con
 /// Whether the disk is above the highest position of the base at both ends of a time span. Then it is so in
 /// between, because it falls towards the base; this does not hold for an inclination beyond 90 degrees. Needs
 /// comparisons only, while nearTime() takes a root. May return false although it is true.
-bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, double until,
+bool ContactSearch::staysAbove(const Disk& disk, const Kinematics& from, double until,
                                BaseInstant& base) const
 {
   if (search_above_band_ || shape_.boundary() != Boundary::PERIODIC)
     return false;
   if (motion_.turning())
-    return staysAboveTurning(disk, radius, from, until, base.at(from).rotation);
+    return staysAboveTurning(disk, from, until, base.at(from.time).rotation);
   const Rotation& rotation = motion_.rotation();
   if (rotation.cosine <= 0.0)
     return false;
-  const double top = shape_.height() + radius + motion_.reach().y();
-  const auto above = [&](double time)
-  {
-    const Two position = kinematicsAt(disk, time, gravity_).position;
-    return intoBase(rotation, position[0], position[1]).second > top;
-  };
-  return above(until) && above(from);
+  const double top = shape_.height() + disk.radius + motion_.reach().y();
+  const auto above = [&](Two position) { return intoBase(rotation, position[0], position[1]).second > top; };
+  return above(from.position) && above(kinematicsAt(disk, until, gravity_).position);
 }
 
 /// The same while the base turns, and whether the disk stays between the ends of the base.
 /// @param rotation at `from`
-bool ContactSearch::staysAboveTurning(const Disk& disk, double radius, double from, double until,
+bool ContactSearch::staysAboveTurning(const Disk& disk, const Kinematics& from, double until,
                                       const Rotation& rotation) const
 {
-  const double span = until - from;
+  const double span = until - from.time;
   const double turn = std::abs(motion_.inclinationRate()) * span;
   if (!(turn <= MAX_TURN_PER_STEP) || rotation.cosine <= 0.0)
     return false;
-  const auto seen = [&](double time)
-  {
-    const Two position = kinematicsAt(disk, time, gravity_).position;
-    return intoBase(rotation, position[0], position[1]);
-  };
-  const auto before = seen(from);
-  const auto after = seen(until);
+  const auto seen = [&](Two position) { return intoBase(rotation, position[0], position[1]); };
+  const auto before = seen(from.position);
+  const auto after = seen(kinematicsAt(disk, until, gravity_).position);
   const double bend = 0.125 * gravity_ * span * span;
   const double first = std::min(before.first, after.first) - bend;
   const double last = std::max(before.first, after.first) + bend;
@@ -125,18 +116,18 @@ bool ContactSearch::staysAboveTurning(const Disk& disk, double radius, double fr
   // distance itself appears smaller by half the square of the turn.
   const double margin =
       motion_.displacementBound().norm() + turn * (1.0 + turn) * (highest + std::max(-first, last));
-  return lowest > shape_.height() + radius + margin && first > margin && last < shape_.width() - margin;
+  return lowest > shape_.height() + disk.radius + margin && first > margin && last < shape_.width() - margin;
 }
 
 /// The first time after `from` at which the base, at any phase of its oscillation, could reach the disk.
 /// Closed form, valid while the base does not turn.
-double ContactSearch::nearTime(const Disk& disk, double radius, double from) const
+double ContactSearch::nearTime(double radius, const Kinematics& from) const
 {
   if (search_above_band_ || motion_.turning())
-    return from;
+    return from.time;
   FrameOfBase mount;
   mount.rotation = motion_.rotation();
-  const BasePoint p = seenFromBase(disk, mount, from);
+  const BasePoint p = mount.see(from);
   const Eigen::Vector2d& reach = motion_.reach();
   const auto fall = verticalIntoBase(mount.rotation, -gravity_);
 
@@ -155,7 +146,7 @@ double ContactSearch::nearTime(const Disk& disk, double radius, double from) con
     approach(p.s() - margin, p.velocity.x(), fall.first);
     approach(shape_.width() - margin - p.s(), -p.velocity.x(), -fall.first);
   }
-  return from + time_to_band;
+  return from.time + time_to_band;
 }
 
 double ContactSearch::longestSpan() const

@@ -89,21 +89,20 @@ public:
 
   /// The first contact in [from, until], or the time until which the flight is guaranteed free. That time may
   /// be later than `until`, or earlier if the search took too many steps.
-  /// @pre from >= disk.time, until <= the end of the motion's present segment
+  /// @pre until <= the end of the motion's present segment
   /// @param base as last evaluated by the caller, usually at `from`
-  BaseEvent find(const Disk& disk, double radius, double from, double until, BaseInstant& base) const;
-  BaseEvent find(const Disk& disk, double radius, double from, double until) const
+  BaseEvent find(const Disk& disk, const Kinematics& from, double until, BaseInstant& base) const;
+  BaseEvent find(const Disk& disk, double from, double until) const
   {
     BaseInstant base(motion_);
-    return find(disk, radius, from, until, base);
+    return find(disk, kinematicsAt(disk, from, gravity_), until, base);
   }
 
   /// The position and velocity of the disk relative to the base at `time`.
   // Inlined: a call costs 1 % of a run.
   [[gnu::always_inline]] BasePoint seenFromBase(const Disk& disk, const FrameOfBase& base, double time) const
   {
-    const Kinematics now = kinematicsAt(disk, time, gravity_);
-    return base.see(vectorOf(now.position), vectorOf(now.velocity));
+    return base.see(kinematicsAt(disk, time, gravity_));
   }
   BasePoint seenFromBase(const Disk& disk, double time) const
   {
@@ -125,11 +124,11 @@ private:
     double acceleration = 0.0;  ///< bound on the second derivative of the gap [m/s^2]
   };
 
-  bool staysAbove(const Disk& disk, double radius, double from, double until, BaseInstant& base) const;
-  bool staysAboveTurning(const Disk& disk, double radius, double from, double until,
+  bool staysAbove(const Disk& disk, const Kinematics& from, double until, BaseInstant& base) const;
+  bool staysAboveTurning(const Disk& disk, const Kinematics& from, double until,
                          const Rotation& rotation) const;
-  std::optional<double> refine(const Disk& disk, double radius, const SureContact& sure, double time) const;
-  double nearTime(const Disk& disk, double radius, double from) const;
+  std::optional<double> refine(const Disk& disk, const SureContact& sure, double time) const;
+  double nearTime(double radius, const Kinematics& from) const;
   double relativeAccelerationBound(const BasePoint& point, double span) const;
   Direction forcedDirection() const;
   double longestSpan() const;

@@ -74,7 +74,7 @@ PairContact PairSearch::firstOnRing(const std::uint32_t* others, std::size_t cou
   double horizon = until_ - from_;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Relative seen = relativeTo(others[i], kinematics_.position);
+    const Relative seen = line_.seenFrom(scene_.disks[others[i]], from_);
     const auto touch =
         ring.firstTouch(vectorOf(seen.position), vectorOf(seen.velocity), seen.distance, horizon);
     if (!touch || from_ + touch->time_to_contact >= until_)
@@ -153,13 +153,14 @@ struct PairSearch::Lanes
     excesses[LANES] = std::numeric_limits<double>::infinity();
     discriminants[LANES] = 0.0;
     closings[LANES] = -1.0;
-    const Two position = search.kinematics_.position - Two{image.shift.x(), image.shift.y()};
+    const std::vector<Disk>& disks = search.scene_.disks;
+    const FlightLine line(disks[search.slot_], image.shift);
     unsigned found = 0;
     for (std::size_t k = 0; k < count; k += 2)
     {
       // For an odd number, the last is tested twice.
-      const Relative a = search.relativeTo(others[k], position);
-      const Relative b = search.relativeTo(others[std::min(k + 1, count - 1)], position);
+      const Relative a = line.seenFrom(disks[others[k]], search.from_);
+      const Relative b = line.seenFrom(disks[others[std::min(k + 1, count - 1)]], search.from_);
       const Two dx{a.position[0], b.position[0]};
       const Two dy{a.position[1], b.position[1]};
       const Two dvx{a.velocity[0], b.velocity[0]};
@@ -223,23 +224,20 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
 
 /// While the base turns, the image moves on an arc. So the search is conservative advancement, as for the
 /// base.
-std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, int shift,
-                                                           double distance) const
+std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, int shift) const
 {
-  const double gravity = scene_.gravity;
   const double rate = scene_.motion.inclinationRate();
   const double acceleration = std::abs(shift) * scene_.width * rate * rate;
   const double resolution = scene_.time_resolution;
   double time = from_;
   for (int step = 0; time < until_; ++step)
   {
-    const Kinematics a = kinematicsAt(scene_.disks[slot_], time, gravity);
-    const Kinematics b = kinematicsAt(other, time, gravity);
     const Image there = scene_.image(shift, time);
-    const Eigen::Vector2d position = vectorOf(a.position) - there.shift - vectorOf(b.position);
+    const Relative seen = FlightLine(scene_.disks[slot_], there.shift).seenFrom(other, time);
+    const Eigen::Vector2d position = vectorOf(seen.position);
     const double length = position.norm();
-    const double opening = position.dot(vectorOf(a.velocity - b.velocity) - there.velocity) / length;
-    const double free = guaranteedFreeTime(length - distance, opening, acceleration);
+    const double opening = position.dot(vectorOf(seen.velocity) - there.velocity) / length;
+    const double free = guaranteedFreeTime(length - seen.distance, opening, acceleration);
     const double next = time + std::max(free, resolution);
     // The second case: so far ahead that the step is lost to rounding. Other events come first, or the
     // contact is found separating and the search begins anew.

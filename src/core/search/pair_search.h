@@ -67,6 +67,37 @@ struct PairContact
   void archive(StateArchive& state) { state(time, partner, shift); }
 };
 
+/// Position and velocity of a disk relative to another one.
+struct Relative
+{
+  Two position;     ///< [m]
+  Two velocity;     ///< [m/s]
+  double distance;  ///< at which they touch [m]
+};
+
+/// A disk's flight without its fall, which it has in common with all others: a straight line.
+struct FlightLine
+{
+  Two position;   ///< at time 0 [m]
+  Two velocity;   ///< [m/s]
+  double radius;  ///< [m]
+
+  /// @param shift of the other's image that is meant [m]
+  explicit FlightLine(const Disk& disk, const Eigen::Vector2d& shift = Eigen::Vector2d::Zero())
+      : position(twoOf(disk.position) - twoOf(shift)), velocity(twoOf(disk.velocity)), radius(disk.radius)
+  {
+  }
+
+  /// Relative to the other disk. Prediction and execution of a contact use this one expression. With another
+  /// one, rounding could predict a contact that is then found opening, again and again. A disk is exactly at
+  /// rest relative to itself: no contact is found.
+  Relative seenFrom(const Disk& other, double time) const
+  {
+    const Two passing = velocity - twoOf(other.velocity);
+    return {(position - twoOf(other.position)) + passing * time, passing, radius + other.radius};
+  }
+};
+
 /// The members of the machine that a pair search reads.
 struct PairScene
 {
@@ -75,8 +106,6 @@ struct PairScene
   double width;            ///< of the base [m]
   double gravity;          ///< [m/s^2]
   double time_resolution;  ///< times that differ by less are treated as equal [s]
-
-  double radius(std::uint32_t slot) const { return disks[slot].radius; }
 
   /// The image `shift` widths to the right, relative to the disk itself, at `time`.
   Image image(double shift, double time) const
@@ -116,8 +145,7 @@ public:
       : scene_(scene),
         slot_(slot),
         from_(from),
-        radius_(scene.radius(slot)),
-        kinematics_(kinematicsAt(scene.disks[slot], from, scene.gravity)),
+        line_(scene.disks[slot]),
         until_(scene.motion.nextChange().value_or(std::numeric_limits<double>::infinity()))
   {
   }
@@ -139,17 +167,12 @@ public:
   /// The contact with one other disk, without SIMD: the reference for the SIMD version.
   std::optional<double> contactWith(std::uint32_t other, int shift) const
   {
-    const Disk& disk = scene_.disks[other];
-    const double distance = radius_ + scene_.radius(other);
     if (shift != 0 && scene_.motion.turning())
-      return contactAcrossTurningSeam(disk, shift, distance);
-    // With the same gravity the parabolas differ by a straight line, but the two states are given at
-    // different times.
-    const Kinematics kinematics = kinematicsAt(disk, from_, scene_.gravity);
-    const Eigen::Vector2d position =
-        vectorOf(kinematics_.position) - scene_.image(shift, from_).shift - vectorOf(kinematics.position);
+      return contactAcrossTurningSeam(scene_.disks[other], shift);
+    const Relative seen = FlightLine(scene_.disks[slot_], scene_.image(shift, from_).shift)
+                              .seenFrom(scene_.disks[other], from_);
     const auto time_to_contact =
-        timeToContact(position, vectorOf(kinematics_.velocity - kinematics.velocity), distance);
+        timeToContact(vectorOf(seen.position), vectorOf(seen.velocity), seen.distance);
     if (!time_to_contact || from_ + *time_to_contact >= until_)
       return std::nullopt;
     return from_ + *time_to_contact;
@@ -161,32 +184,15 @@ private:
 
   struct Lanes;
 
-  /// Position and velocity of the disk relative to another.
-  struct Relative
-  {
-    Two position;     ///< [m]
-    Two velocity;     ///< [m/s]
-    double distance;  ///< at which they touch [m]
-  };
-
-  /// @param position of the disk relative to the other's image
-  Relative relativeTo(std::uint32_t slot, Two position) const
-  {
-    // A disk is exactly at rest relative to itself: no contact is found.
-    const Kinematics other = kinematicsAt(scene_.disks[slot], from_, scene_.gravity);
-    return {position - other.position, kinematics_.velocity - other.velocity, radius_ + scene_.radius(slot)};
-  }
-
   PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
                            const Image& image) const;
 
-  std::optional<double> contactAcrossTurningSeam(const Disk& other, int shift, double distance) const;
+  std::optional<double> contactAcrossTurningSeam(const Disk& other, int shift) const;
 
   const PairScene& scene_;
   std::uint32_t slot_;
   double from_;
-  double radius_;
-  Kinematics kinematics_;  ///< at `from`
+  FlightLine line_;
   double until_;
 };
 

@@ -110,7 +110,8 @@ void loadRow(const SystemState& system, std::uint32_t slot, const BaseEvent& nex
   batch.vx[row] = disk.velocity.x();
   batch.vy[row] = disk.velocity.y();
   batch.spin[row] = disk.spin;
-  batch.time[row] = disk.time;
+  batch.lost_x[row] = disk.lost[0];
+  batch.lost_y[row] = disk.lost[1];
   const SpeciesDefinition& species = system.scene().species[disk.species];
   const DiskProperties& properties = system.properties(slot);
   const ContactMasses masses = contactMasses({properties.mass, leverOf(species)});
@@ -142,7 +143,7 @@ void readState(const SimdBatch& batch, std::size_t row, Disk& disk)
   disk.velocity.x() = batch.vx[row];
   disk.velocity.y() = batch.vy[row];
   disk.spin = batch.spin[row];
-  disk.time = batch.time[row];
+  disk.lost = {static_cast<float>(batch.lost_x[row]), static_cast<float>(batch.lost_y[row])};
 }
 
 void storeRow(const SimdBatch& batch, std::size_t row, SystemState& system, std::uint32_t slot,
@@ -162,17 +163,16 @@ void copyRow(SimdBatch& batch, std::size_t from, std::size_t to)
 {
   for (double* column : {batch.x,           batch.y,
                          batch.vx,          batch.vy,
-                         batch.spin,        batch.angle,
-                         batch.time,        batch.radius,
+                         batch.spin,        batch.lost_x,
+                         batch.lost_y,      batch.radius,
                          batch.restitution, batch.friction,
                          batch.normal_mass, batch.sticking_mass,
                          batch.per_mass,    batch.radius_by_inertia,
                          batch.translation, batch.rotation,
-                         batch.impulse_x,   batch.impulse_y,
-                         batch.offset,      batch.event_time,
-                         batch.valley,      batch.feature,
-                         batch.s,           batch.n,
-                         batch.vs,          batch.vn})
+                         batch.angle,       batch.impulse_x,
+                         batch.impulse_y,   batch.offset,
+                         batch.event_time,  batch.valley,
+                         batch.feature})
     column[to] = column[from];
 }
 

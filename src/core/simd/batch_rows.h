@@ -17,13 +17,14 @@ std::optional<BatchScene> batchScene(const SystemState& system);
 void loadRow(const SystemState& system, std::uint32_t slot, const BaseEvent& next, SimdBatch& batch,
              std::size_t row);
 
-/// Copies the state of a row's disk, at its last event.
+/// Copies the flight of a row's disk.
 void readState(const SimdBatch& batch, std::size_t row, Disk& disk);
 
 /// Copies a row's disk and its next event back.
 void storeRow(const SimdBatch& batch, std::size_t row, SystemState& system, std::uint32_t slot,
               BaseEvent& next);
 
+/// Moves a row before its next event is executed.
 void copyRow(SimdBatch& batch, std::size_t from, std::size_t to);
 
 /// A row's next event.

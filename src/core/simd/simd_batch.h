@@ -74,8 +74,7 @@ struct SimdBatch
   /// Padded: with a stride of a power of two, the columns of a row would evict each other from the cache.
   using Column = double[ROWS + 8];
 
-  alignas(64) Column x, y, vx, vy, spin, angle;
-  alignas(64) Column time;  ///< of the state [s]
+  alignas(64) Column x, y, vx, vy, spin, lost_x, lost_y;  ///< see Disk
 
   // Of the disk and its species.
   alignas(64) Column radius, restitution, friction;
@@ -85,17 +84,18 @@ struct SimdBatch
   alignas(64) Column radius_by_inertia;  ///< r / I
 
   // Running sums: see Trajectory and BaseImpulses.
-  alignas(64) Column translation, rotation, impulse_x, impulse_y, offset;
+  alignas(64) Column translation, rotation, angle, impulse_x, impulse_y, offset;
 
   // The next event.
   alignas(64) Column event_time;  ///< [s]
   alignas(64) Column valley;      ///< whose foot is at s = valley w
   alignas(64) Column feature;     ///< a BatchFeature
 
-  // The flight at `time`, in the base's frame at Y = 0.
+  // The flight as of time 0, in the base's frame at Y = 0.
   alignas(64) Column s, n, vs, vn;
 
   // Outcome of the last contact; see ContactOutcome. Impulses and velocity are 0 if there was none.
+  alignas(64) Column time;                ///< [s]
   alignas(64) Column overlap;             ///< [m]
   alignas(64) Column normal_x, normal_y;  ///< unit normal on the disk, world frame
   alignas(64) Column normal_velocity;     ///< v_n; 0 if the contact was separating [m/s]

@@ -54,7 +54,7 @@ BlockSum Averages::path(std::uint32_t slot, double time) const
   const Trajectory& trajectory = system_.observers().trajectories()[slot];
   const Disk& disk = system_.disk(slot);
   const bool active = system_.active(slot);
-  const double x = (active ? flown(disk, time, system_.scene().gravity) : disk).position.x();
+  const double x = active ? positionAt(disk, time, system_.scene().gravity).x() : disk.position.x();
   const double until = active ? system_.epoch().start + time : trajectory.left_when;
   return {x + trajectory.offset - trajectory.counted_x, until - trajectory.counted_from};
 }

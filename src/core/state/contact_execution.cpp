@@ -8,10 +8,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A negligible displacement, as a fraction of a double's resolution at the base's width: a million of them,
-/// the number of events allowed in a collapse, add up to one resolution.
-constexpr double NEGLIGIBLE_WAY = 0x1p-20 * std::numeric_limits<double>::epsilon();
-
 /// The component of a velocity along the tangent: the normal turned by +90 degrees.
 double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 {
@@ -20,11 +16,7 @@ double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 }  // namespace
 
 ContactExecution::ContactExecution(SystemState& system, ThreadBuffer* share)
-    : system_(system),
-      share_(share),
-      law_(system.scene().contact),
-      spin_(system.plan().spin),
-      negligible_way_(NEGLIGIBLE_WAY * system.shape().width())
+    : system_(system), share_(share), law_(system.scene().contact), spin_(system.plan().spin)
 {
   const std::vector<SpeciesDefinition>& species = system.scene().species;
   for (std::size_t i = 0; i < species.size(); ++i)
@@ -40,10 +32,9 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
 {
   const SceneDefinition& scene = system_.scene();
   const Disk& disk = system_.disk(slot);
-  const Kinematics now = kinematicsAt(disk, time, scene.gravity);
   const SpeciesDefinition& species = scene.species[disk.species];
   const FrameOfBase& frame = base.at(time);
-  const BasePoint point = frame.see(vectorOf(now.position), vectorOf(now.velocity));
+  const BasePoint point = frame.see(kinematicsAt(disk, time, scene.gravity));
   const Approach approach = system_.shape().approach(feature, point, disk.radius);
   ContactOutcome outcome;
   outcome.time = time;
@@ -67,23 +58,21 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
       coefficients.friction = 0.0;
     respond(outcome, coefficients, contactMasses(inertia(slot)), tangential_velocity,
             reboundFloor(slot, outcome.lossless));
+    push(slot, outcome, 1.0);
   }
-  push(slot, now, outcome, 1.0);
   system_.observers().collided(outcome, share_);
   return outcome;
 }
 
 ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, int shift, double time)
 {
-  const double gravity = system_.scene().gravity;
   const Disk& a = system_.disk(i);
   const Disk& b = system_.disk(j);
-  const Kinematics a_now = kinematicsAt(a, time, gravity);
-  const Kinematics b_now = kinematicsAt(b, time, gravity);
   const Image there = system_.image(shift, time);
-  const Eigen::Vector2d position = vectorOf(a_now.position) - there.shift - vectorOf(b_now.position);
+  const Relative seen = FlightLine(a, there.shift).seenFrom(b, time);
+  const Eigen::Vector2d position = vectorOf(seen.position);
+  const Eigen::Vector2d velocity = vectorOf(seen.velocity) - there.velocity;
   const double distance = position.norm();
-  const Eigen::Vector2d velocity = vectorOf(a_now.velocity - b_now.velocity) - there.velocity;
   ContactOutcome outcome;
   outcome.time = time;
   outcome.kind = CollisionKind::DISK_DISK;
@@ -91,9 +80,8 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   outcome.j = j;
   outcome.species = a.species;
   outcome.partner_species = b.species;
-  outcome.overlap = a.radius + b.radius - distance;
-  // This must be the very sum of the prediction (timeToContact). With another one, rounding could predict a
-  // contact here that is then found separating, again and again.
+  outcome.overlap = seen.distance - distance;
+  // The very sum of the prediction: see FlightLine.
   outcome.closed = position.dot(velocity) < 0.0;
   if (outcome.closed)
   {
@@ -109,9 +97,9 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
     respond(outcome, outcome.lossless ? LOSSLESS : pair_coefficients_[pair],
             contactMasses(inertia(i), inertia(j)), tangential_velocity,
             std::max(reboundFloor(i, outcome.lossless), reboundFloor(j, outcome.lossless)));
+    push(i, outcome, 1.0);
+    push(j, outcome, -1.0);
   }
-  push(i, a_now, outcome, 1.0);
-  push(j, b_now, outcome, -1.0);
   system_.observers().collided(outcome, share_);
   return outcome;
 }
@@ -128,25 +116,14 @@ void ContactExecution::respond(ContactOutcome& outcome, const ContactCoefficient
   outcome.tangential_impulse = impulse.tangential;
 }
 
-/// Applies the impulse to a partner, which is at `now` at the contact. For the second partner the contact
-/// is on the opposite side, so that the torque of the tangential impulse has the same sign on both.
-///
-/// In an inelastic collapse contacts follow one another before the disk has moved by one resolution of its
-/// position. A position rounded at each of them would stand still or run ahead, while the partner moves on,
-/// and the overlap would grow by that distance. So an impulse that changes the position only negligibly if it
-/// is applied at the start of the flight is applied there, and the stored position stays unchanged.
-void ContactExecution::push(std::uint32_t slot, const Kinematics& now, const ContactOutcome& contact,
-                            double sign)
+/// Applies the impulse to a partner. For the second partner the contact is on the opposite side, so that the
+/// torque of the tangential impulse has the same sign on both.
+void ContactExecution::push(std::uint32_t slot, const ContactOutcome& contact, double sign)
 {
-  Disk& disk = system_.changeable(slot);
   const DiskProperties& properties = system_.properties(slot);
-  const double per_mass = 1.0 / properties.mass;
-  const double change = per_mass * (std::abs(contact.normal_impulse) + std::abs(contact.tangential_impulse));
-  if (change * (contact.time - disk.time) > negligible_way_)
-    system_.endFlight(slot, now, contact.time, share_);
-  disk.countEvent();
-  disk.velocity += sign * per_mass * impulseOf(contact);
-  disk.spin -= properties.spin_response * contact.tangential_impulse;
+  const Eigen::Vector2d velocity = sign / properties.mass * impulseOf(contact);
+  system_.redirect(slot, {Two{}, twoOf(velocity), -properties.spin_response * contact.tangential_impulse},
+                   contact.time, share_);
 }
 
 /// v_min does not apply to lossless contacts, because it would add energy. For a disk that is lossless

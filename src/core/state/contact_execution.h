@@ -20,11 +20,13 @@ public:
   explicit ContactExecution(SystemState& system, ThreadBuffer* share = nullptr);
 
   /// Executes a disk's event with the base: a contact, or the passage of an end.
-  void handleBaseEvent(std::uint32_t slot, const BaseFeature& feature, double time, BaseInstant& base)
+  /// @return whether the disk's flight has changed
+  bool handleBaseEvent(std::uint32_t slot, const BaseFeature& feature, double time, BaseInstant& base)
   {
-    if (feature.isEnd())
-      return system_.passEnd(slot, feature.kind() == BaseFeatureKind::RIGHT_END, time, share_);
-    collideWithBase(slot, feature, time, base);
+    if (!feature.isEnd())
+      return collideWithBase(slot, feature, time, base).closed;
+    system_.passEnd(slot, feature.kind() == BaseFeatureKind::RIGHT_END, time, share_);
+    return true;
   }
 
   /// Collides a disk with the base. A separating contact changes nothing.
@@ -32,7 +34,8 @@ public:
   ContactOutcome collideWithBase(std::uint32_t slot, const BaseFeature& feature, double time,
                                  BaseInstant& base);
 
-  /// Collides disk i with the image of disk j that is `shift` widths to the right of j.
+  /// Collides disk i with the image of disk j that is `shift` widths to the right of j. If they separate, it
+  /// changes nothing.
   ContactOutcome collidePair(std::uint32_t i, std::uint32_t j, int shift, double time);
 
 private:
@@ -48,13 +51,12 @@ private:
   double reboundFloor(std::uint32_t slot, bool no_loss) const;
   void respond(ContactOutcome& outcome, const ContactCoefficients& coefficients, const ContactMasses& masses,
                double tangential_velocity, double floor) const;
-  void push(std::uint32_t slot, const Kinematics& now, const ContactOutcome& contact, double sign);
+  void push(std::uint32_t slot, const ContactOutcome& contact, double sign);
 
   SystemState& system_;
   ThreadBuffer* share_;
   CollisionLaw law_;
   bool spin_;
-  double negligible_way_;  ///< [m]
 
   std::vector<ContactCoefficients> pair_coefficients_;  ///< per (species, species)
   std::vector<double> levers_;                          ///< per species; see Inertia

@@ -70,7 +70,7 @@ class ContactTimes final : public Observer
 public:
   explicit ContactTimes(bool kept) : kept_(kept) {}
 
-  void entered(const Disk& /*disk*/) override
+  void entered(const Disk& /*disk*/, double /*time*/) override
   {
     if (kept_)
       times_.push_back(-std::numeric_limits<double>::infinity());
@@ -125,7 +125,7 @@ class BaseImpulses final : public Observer
 {
 public:
   void reserve(std::size_t count) override { given_.reserve(count); }
-  void entered(const Disk& /*disk*/) override { given_.push_back(Eigen::Vector2d::Zero()); }
+  void entered(const Disk& /*disk*/, double /*time*/) override { given_.push_back(Eigen::Vector2d::Zero()); }
 
   void collided(const ContactOutcome& outcome) override
   {

@@ -55,16 +55,18 @@ void EnergyWatch::endEpoch(double time)
       continue;
     const Disk& disk = system_.disk(slot);
     const SpeciesDefinition& kind = species[disk.species];
+    const Kinematics now = kinematicsAt(disk, time, gravity_);
+    const double height = now.position[1];
     const double rim = disk.spin * disk.radius;
-    const double energy = 0.5 * (disk.velocity.squaredNorm() + kind.inertia_factor * rim * rim) +
-                          gravity_ * std::max(0.0, disk.position.y());
+    const double energy = 0.5 * (vectorOf(now.velocity).squaredNorm() + kind.inertia_factor * rim * rim) +
+                          gravity_ * std::max(0.0, height);
     const double scales = energy / scale;
     if (scales <= largest_)
       continue;
     largest_ = scales;
     if (scales > ALARM && !first_)
-      first_ = First{system_.epoch().start + time, system_.properties(slot).mass * energy,
-                     flown(disk, time, gravity_).position.y(), scales, system_.id(slot)};
+      first_ = First{system_.epoch().start + time, system_.properties(slot).mass * energy, height, scales,
+                     system_.id(slot)};
   }
 }
 

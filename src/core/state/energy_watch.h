@@ -26,7 +26,7 @@ public:
 
   explicit EnergyWatch(const SystemState& system);
 
-  /// Checks every disk. Energy is conserved in flight, so the states are used as stored.
+  /// Checks every disk.
   void endEpoch(double time) override;
 
   /// The largest energy of a disk so far, in scales.

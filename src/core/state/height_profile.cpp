@@ -87,17 +87,30 @@ public:
   }
 
   unsigned subscriptions() const override { return FLIGHTS; }
-  void flew(const Flight& flight) override { count(flight, sums_); }
+  void reserve(std::size_t count) override { begins_.reserve(count); }
+  void entered(const Disk& /*disk*/, double time) override { begins_.push_back(time); }
+  void compact(const Compaction& compaction) override { keepSlots(begins_, compaction.kept); }
+  void flew(const Flight& flight) override
+  {
+    count(flight, sums_);
+    begins_[flight.slot] = flight.end;
+  }
   void restart(double time) override
   {
     sums_ = noSums();
     sums_.since = time;
   }
   void endSegment(double time) override { countUntil(time, sums_); }
-  void rebase(double length) override { sums_.since -= length; }
+  void rebase(double length) override
+  {
+    sums_.since -= length;
+    for (double& begin : begins_)
+      begin -= length;
+  }
+  bool fits(std::size_t slots) const override { return begins_.size() == slots; }
   void archive(StateArchive& state) override
   {
-    state(sums_.since, sums_.spans);
+    state(begins_, sums_.since, sums_.spans);
     for (HeightSlices& slices : sums_.species)
       state(slices);
   }
@@ -153,24 +166,22 @@ private:
   std::size_t phases_;
   double slice_;  ///< height of a slice [m]
   MotionSteps steps_;
+  std::vector<double> begins_;  ///< of each disk's flight [s]
   Sums sums_;
 };
 
 void HeightProfile::count(const Flight& flight, Sums& sums) const
 {
-  const double begin = std::max(flight.from.time, sums.since);
+  const double begin = std::max(begins_[flight.slot], sums.since);
   if (!(begin < flight.end))
     return;
   const BaseMotion& motion = system_.motion();
   const double depth = system_.shape().depth();
   const auto seen = [&](double time)
-  {
-    const Kinematics kinematics = kinematicsAt(flight.from, time, system_.scene().gravity);
-    return motion.at(time).see(vectorOf(kinematics.position), vectorOf(kinematics.velocity));
-  };
+  { return motion.at(time).see(kinematicsAt(flight.disk, time, system_.scene().gravity)); };
   const double weight =
-      system_.properties(flight.slot).mass / system_.scene().species[flight.from.species].mass;
-  HeightSlices& slices = sums.species[flight.from.species];
+      system_.properties(flight.slot).mass / system_.scene().species[flight.disk.species].mass;
+  HeightSlices& slices = sums.species[flight.disk.species];
   BasePoint start = seen(begin);
   steps_.forEach(motion, begin, flight.end,
                  [&](double from, double to, std::size_t part)

@@ -127,7 +127,10 @@ public:
   explicit ResidenceTimes(const SystemState& system) : system_(system), times_(system) {}
 
   void reserve(std::size_t count) override { entered_.reserve(count); }
-  void entered(const Disk& disk) override { entered_.push_back(system_.epoch().start + disk.time); }
+  void entered(const Disk& /*disk*/, double time) override
+  {
+    entered_.push_back(system_.epoch().start + time);
+  }
   void left(const Departure& departure) override
   {
     times_.of(departure).add(system_.epoch().start + departure.time - entered_[departure.slot]);

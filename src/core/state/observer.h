@@ -96,11 +96,12 @@ inline Eigen::Vector2d impulseOf(const ContactOutcome& outcome)
   return {push.x, push.y};
 }
 
-/// A disk's free flight from one stored state to the next. Times are local to the epoch.
+/// A disk's flight, which ends or changes. Its last one ended where it began, or the disk entered then. Times
+/// are local to the epoch.
 struct Flight
 {
   std::uint32_t slot;
-  const Disk& from;  ///< the state at its start
+  const Disk& disk;  ///< as it flew
   double end;        ///< [s]
 };
 
@@ -149,7 +150,7 @@ public:
   /// A contact of approaching surfaces, after its execution.
   virtual void collided(const ContactOutcome& /*outcome*/) {}
 
-  /// A flight, before the disk's state is replaced by that at its end.
+  /// A flight, before the disk's is replaced by the next.
   virtual void flew(const Flight& /*flight*/) {}
   virtual void left(const Departure& /*departure*/) {}
 
@@ -157,7 +158,7 @@ public:
   virtual void reserve(std::size_t /*count*/) {}
 
   /// A disk is about to be added at the next slot.
-  virtual void entered(const Disk& /*disk*/) {}
+  virtual void entered(const Disk& /*disk*/, double /*time*/) {}
 
   /// The disks of these slots are about to get other slots, or none.
   virtual void compact(const Compaction& /*compaction*/) {}

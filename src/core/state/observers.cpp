@@ -31,7 +31,7 @@ public:
   {
   }
 
-  void entered(const Disk& disk) override
+  void entered(const Disk& disk, double /*time*/) override
   {
     ++of_species[disk.species].on_base;
     if (const std::size_t k = system_.sizeClassOf(disk); k < of_size_classes.size())

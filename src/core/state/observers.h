@@ -43,9 +43,10 @@ public:
       tell(outcome);
   }
 
-  void flew(const Flight& flight, ThreadBuffer* share = nullptr)
+  // Inlined: a call costs 1 % of a run.
+  [[gnu::always_inline]] void flew(const Flight& flight, ThreadBuffer* share = nullptr)
   {
-    forEachStanding([&](auto& observer) { observer.flew(flight); });
+    trajectories_.flew(flight);
     if (!wants(Observer::FLIGHTS))
       return;
     if (share != nullptr)
@@ -146,7 +147,7 @@ public:
   void deliver();
 
   void reserve(std::size_t count) { callAll(&Observer::reserve, count); }
-  void entered(const Disk& disk) { callAll(&Observer::entered, disk); }
+  void entered(const Disk& disk, double time) { callAll(&Observer::entered, disk, time); }
   void compact(const Compaction& compaction) { callAll(&Observer::compact, compaction); }
   void restart(double time) { callAll(&Observer::restart, time); }
   void endBlock(double time) { callAll(&Observer::endBlock, time); }
@@ -209,10 +210,10 @@ private:
       call(*observer);
   }
 
-  template <typename Hook, typename Value>
-  void callAll(Hook hook, const Value& value)
+  template <typename Hook, typename... Values>
+  void callAll(Hook hook, const Values&... values)
   {
-    forEach([&](Observer& observer) { (observer.*hook)(value); });
+    forEach([&](Observer& observer) { (observer.*hook)(values...); });
   }
 
   bool wants(unsigned subscriptions) const { return (subscriptions_ & subscriptions) != 0; }

@@ -17,7 +17,7 @@ namespace ratchet_sieve
 namespace
 {
 /// Touching disks are legal: an overlap below this fraction of the radius, or of the resolution at the disk's
-/// position, is rounding.
+/// position or of its flight, is rounding.
 constexpr double TOUCHING = 1e-12;
 constexpr double ROUNDING = 8.0 * std::numeric_limits<double>::epsilon();
 
@@ -26,9 +26,9 @@ constexpr double ROUNDING = 8.0 * std::numeric_limits<double>::epsilon();
 constexpr double AUDIT_CELL = 2.0;
 
 /// @param point the centre, in the frame of the base [m]
-double toleratedOverlap(const Eigen::Vector2d& point, double radius)
+double toleratedOverlap(const Eigen::Vector2d& point, const Disk& disk)
 {
-  return TOUCHING * radius + ROUNDING * point.lpNorm<1>();
+  return TOUCHING * disk.radius + ROUNDING * (point.lpNorm<1>() + disk.position.lpNorm<1>());
 }
 
 /// The positions of all disks in the frame of the base, wrapped into [0, W) if it is periodic.
@@ -40,8 +40,7 @@ std::vector<Eigen::Vector2d> placesOnBase(const SystemState& system, double time
   points.reserve(system.disks().size());
   for (const Disk& disk : system.disks())
   {
-    const Disk now = flown(disk, time, system.scene().gravity);
-    const Eigen::Vector2d point = base.positionInto(now.position);
+    const Eigen::Vector2d point = base.positionInto(positionAt(disk, time, system.scene().gravity));
     points.emplace_back(point.x() - width * system.widthsOutside(point.x()), point.y());
   }
   return points;
@@ -98,10 +97,9 @@ constexpr std::size_t DISKS_PER_LOOK = 1024;
 /// A disk's position at `time`, for the pour.
 PlacedDisk placed(const SystemState& system, std::uint32_t slot, const FrameOfBase& base, double time)
 {
-  const Disk disk = flown(system.disk(slot), time, system.scene().gravity);
-  const double s = base.positionInto(disk.position).x();
-  return {s - system.shape().width() * system.widthsOutside(s), base.into(disk.position).y(),
-          system.radius(slot)};
+  const Eigen::Vector2d position = positionAt(system.disk(slot), time, system.scene().gravity);
+  const double s = base.positionInto(position).x();
+  return {s - system.shape().width() * system.widthsOutside(s), base.into(position).y(), system.radius(slot)};
 }
 
 struct Poured
@@ -150,10 +148,9 @@ void addPoured(SystemState& system, const Poured& poured, double mass, const Fra
   disk.position.x() = place.x();
   disk.position.y() = place.y();
   disk.velocity.y() = -scene.pour.speed;
-  disk.time = time;
   disk.species = kind;
   disk.radius = room.radius;
-  system.add(disk, propertiesOf(scene.species[kind], mass, room.radius));
+  system.add(disk, propertiesOf(scene.species[kind], mass, room.radius), time);
 }
 
 /// @throws std::invalid_argument if a disk overlaps another or the base, or is outside the machine; the
@@ -172,7 +169,7 @@ void refuseBadStart(const SystemState& system, double time)
       throw std::invalid_argument(message.str());
     }
     const double gap = gapToBase(system, points[slot], system.radius(slot));
-    if (-gap > toleratedOverlap(points[slot], system.radius(slot)))
+    if (-gap > toleratedOverlap(points[slot], system.disk(slot)))
     {
       message << "initial." << slot << " overlaps the base or a wall by " << -gap << " m";
       throw std::invalid_argument(message.str());
@@ -184,7 +181,7 @@ void refuseBadStart(const SystemState& system, double time)
   forEachNearPair(system, points,
                   [&](std::uint32_t first, std::uint32_t second, double overlap)
                   {
-                    if (overlap <= std::max(worst, toleratedOverlap(points[first], system.radius(first))))
+                    if (overlap <= std::max(worst, toleratedOverlap(points[first], system.disk(first))))
                       return;
                     worst = overlap;
                     message.str("");
@@ -297,11 +294,10 @@ void placeInitialDisks(SystemState& system, double time)
     disk.position = {initial.x, initial.y};
     disk.velocity = {initial.vx, initial.vy};
     disk.spin = initial.spin;
-    disk.time = time;
     disk.species = static_cast<std::uint32_t>(initial.species);
     const SpeciesDefinition& species = system.scene().species[initial.species];
     disk.radius = species.radius;
-    system.add(disk, propertiesOf(species, disk.radius));
+    system.add(disk, propertiesOf(species, disk.radius), time);
   }
   refuseBadStart(system, time);
 }

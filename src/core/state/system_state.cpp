@@ -83,7 +83,8 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       lattice_diameter_(ratchet_sieve::latticeDiameter(scene, largest_diameter_)),
       lattice_turn_(ratchet_sieve::latticeTurn(scene, lattice_diameter_, wideSizes())),
       time_scale_(ratchet_sieve::timeScale(scene)),
-      epoch_{0.0, epochLength(time_scale_)},
+      epoch_{0.0, std::min(epochLength(time_scale_),
+                           longestFall(scene.gravity, ratchet_sieve::smallestRadius(scene)))},
       motion_(scene.base, 2.0 * lattice_turn_, plan.drive && !planOf(scene).drive),
       search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
       pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
@@ -105,14 +106,15 @@ void SystemState::setTimeResolution()
   search_.setTimeResolution(pair_scene_.time_resolution);
 }
 
-BaseEvent SystemState::nextBaseEvent(std::uint32_t slot, double from, double until, BaseInstant& base) const
+BaseEvent SystemState::nextBaseEvent(std::uint32_t slot, const Kinematics& from, double until,
+                                     BaseInstant& base) const
 {
   // Without gravity there may be no event for very long; one epoch at a time is enough.
-  double end = std::min(until, from + epoch_.length);
+  double end = std::min(until, from.time + epoch_.length);
   const auto change = motion_.nextChange();
   if (change)
     end = std::min(end, *change);
-  BaseEvent event = search_.find(disks_[slot], radius(slot), from, end, base);
+  BaseEvent event = search_.find(disks_[slot], from, end, base);
   if (!event.feature && change && event.time >= *change)
     event.time = std::numeric_limits<double>::infinity();
   return event;
@@ -127,10 +129,11 @@ void SystemState::reserve(std::size_t count)
   observers_.reserve(count);
 }
 
-std::uint32_t SystemState::add(const Disk& disk, const DiskProperties& properties)
+std::uint32_t SystemState::add(Disk disk, const DiskProperties& properties, double time)
 {
+  moveZero(disk, -time, scene_.gravity);
   collapse_watch_.added();
-  observers_.entered(disk);
+  observers_.entered(disk, time);
   const auto slot = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back(disk);
   properties_.push_back(properties);
@@ -183,19 +186,15 @@ bool SystemState::compact()
   return true;
 }
 
-Disk& SystemState::fly(std::uint32_t slot, double time, ThreadBuffer* share)
-{
-  Disk& disk = disks_[slot];
-  endFlight(slot, kinematicsAt(disk, time, scene_.gravity), time, share);
-  disk.countEvent();
-  return disk;
-}
-
 void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* share)
 {
   if (scene_.boundary == Boundary::PERIODIC)
     return wrap(slot, to_the_right ? -1.0 : 1.0, time, share);
-  const Departure departure{slot, fly(slot, time, share).species, properties_[slot].mass,
+  Disk& disk = disks_[slot];
+  observers_.flew({slot, disk, time}, share);
+  disk.position = positionAt(disk, time, scene_.gravity);
+  disk.countEvent();
+  const Departure departure{slot, disk.species, properties_[slot].mass,
                             to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time};
   active_[slot] = 0;
   if (share == nullptr)
@@ -235,9 +234,7 @@ void SystemState::restore(std::uint32_t slot, const DiskCopy& copy)
 
 void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* share)
 {
-  Disk& disk = fly(slot, time, share);
-  disk.position += image.shift;
-  disk.velocity += image.velocity;
+  redirect(slot, {twoOf(image.shift), twoOf(image.velocity)}, time, share);
   observers_.trajectories().wrapped(slot, -image.shift.x());
 }
 
@@ -307,19 +304,10 @@ double SystemState::shortenEpoch(double now)
 void SystemState::rebase(double length)
 {
   observers_.endSegment(length);
-  motion_.rebase(length);
-  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
-  {
-    // A state older than an epoch is renewed along its flight, because its rounding error grows with the time
-    // of flight.
-    if (active(slot) && disks_[slot].time < 0.0)
-    {
-      observers_.flew({slot, disks_[slot], length});
-      disks_[slot] = flown(disks_[slot], length, scene_.gravity);
-    }
-    disks_[slot].time -= length;
-  }
   observers_.rebase(length);
+  motion_.rebase(length);
+  for (const std::uint32_t slot : slots(true))
+    moveZero(disks_[slot], length, scene_.gravity);
   epoch_.start += length;
   collapse_watch_.rebase(length, epoch_.start);
 }

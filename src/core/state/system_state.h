@@ -115,7 +115,12 @@ public:
   /// The disk's first event with the base, searched from `from` and only as far as needed to find all before
   /// `until`. At infinity if there is none before the base's motion changes, because everything is predicted
   /// anew then.
-  BaseEvent nextBaseEvent(std::uint32_t slot, double from, double until, BaseInstant& base) const;
+  BaseEvent nextBaseEvent(std::uint32_t slot, const Kinematics& from, double until, BaseInstant& base) const;
+
+  Kinematics flown(std::uint32_t slot, double time) const
+  {
+    return kinematicsAt(disks_[slot], time, scene_.gravity);
+  }
 
   /// The image `shift` widths to the right, relative to the disk itself, at `time`.
   Image image(double shift, double time) const { return pair_scene_.image(shift, time); }
@@ -123,27 +128,33 @@ public:
   /// Allocates memory for this number of disks.
   void reserve(std::size_t count);
 
-  /// Adds a disk. @return its slot, after all others
-  std::uint32_t add(const Disk& disk, const DiskProperties& properties);
+  /// Adds a disk that is at its position, with its velocity, at `time`. @return its slot, after all others
+  std::uint32_t add(Disk disk, const DiskProperties& properties, double time);
 
-  /// Ends the disk's flight so far, at `now`, which kinematicsAt() gives for that time.
+  /// What changes a flight.
+  struct Turn
+  {
+    Two way{};          ///< by which the disk is moved [m]
+    Two velocity{};     ///< is added [m/s]
+    double spin = 0.0;  ///< is added [rad/s]
+  };
+
+  /// Changes a disk's flight at `time`. @param share as in Observers::collided(), here and below
   // Inlined: a call costs 1 % of a run.
-  [[gnu::always_inline]] void endFlight(std::uint32_t slot, const Kinematics& now, double time,
-                                        ThreadBuffer* share = nullptr)
+  [[gnu::always_inline]] void redirect(std::uint32_t slot, const Turn& turn, double time,
+                                       ThreadBuffer* share = nullptr)
   {
     Disk& disk = disks_[slot];
     observers_.flew({slot, disk, time}, share);
-    disk.position = vectorOf(now.position);
-    disk.velocity = vectorOf(now.velocity);
-    disk.time = time;
+    disk.redirect(turn.way, turn.velocity, time);
+    disk.spin += turn.spin;
+    observers_.trajectories().turned(slot, disk, time);
   }
 
-  /// For changes of a flight, and for SIMD batches. May be called by several threads for different disks at
-  /// the same time.
+  /// For SIMD batches. May be called by several threads for different disks at the same time.
   Disk& changeable(std::uint32_t slot) { return disks_[slot]; }
 
   /// Moves the disk to its image `shift` widths to the right, on the same flight.
-  /// @param share as in Observers::collided(), here and below
   void wrap(std::uint32_t slot, double shift, double time, ThreadBuffer* share = nullptr)
   {
     moveTo(slot, image(shift, time), time, share);
@@ -211,7 +222,6 @@ private:
   void setTimeResolution();
   void wrapAll(double time);
   void moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* share);
-  Disk& fly(std::uint32_t slot, double time, ThreadBuffer* share);
 
   SceneDefinition scene_;
   std::vector<Sizes> sizes_;  ///< per species

@@ -18,11 +18,11 @@ namespace ratchet_sieve
 /// A Flight with its disk.
 struct KeptFlight
 {
-  Disk from;
+  Disk disk;
   double end;
   std::uint32_t slot;
 
-  operator Flight() const { return {slot, from, end}; }
+  operator Flight() const { return {slot, disk, end}; }
 };
 
 /// Something that added observers are told of, kept until it is its turn: disks that are independent are not
@@ -34,7 +34,7 @@ struct PendingReport
   {
   }
   explicit PendingReport(const Flight& flight)
-      : time(flight.end), event_slot(flight.slot), what(KeptFlight{flight.from, flight.end, flight.slot})
+      : time(flight.end), event_slot(flight.slot), what(KeptFlight{flight.disk, flight.end, flight.slot})
   {
   }
   explicit PendingReport(const Departure& departure)

@@ -5,34 +5,23 @@
 namespace ratchet_sieve
 {
 
-TrajectorySums::TrajectorySums(const SystemState& system)
-    : system_(system), gravity_(system.scene().gravity), spin_(system.plan().spin)
+TrajectorySums::TrajectorySums(const SystemState& system) : system_(system), gravity_(system.scene().gravity)
 {
 }
 
-void TrajectorySums::entered(const Disk& disk)
+void TrajectorySums::entered(const Disk& disk, double time)
 {
   Trajectory trajectory;
-  trajectory.entered_x = disk.position.x();
-  trajectory.counted_x = disk.position.x();
-  trajectory.counted_from = system_.epoch().start + disk.time;
+  trajectory.entered_x = positionAt(disk, time, gravity_).x();
+  trajectory.counted_x = trajectory.entered_x;
+  trajectory.counted_from = system_.epoch().start + time;
+  integrate(trajectory, disk, time, -1.0);
   trajectories_.push_back(trajectory);
 }
 
 void TrajectorySums::left(const Departure& departure)
 {
   trajectories_[departure.slot].left_when = system_.epoch().start + departure.time;
-}
-
-void TrajectorySums::integrate(Trajectory& trajectory, const Disk& disk, double local_time) const
-{
-  const double span = local_time - disk.time;
-  const double fall = gravity_ * span;
-  trajectory.translation += translationOver(disk.velocity.x(), disk.velocity.y(), fall, span);
-  if (!spin_)
-    return;
-  trajectory.rotation += rotationOver(disk.spin, span);
-  trajectory.angle = positionAfter(trajectory.angle, disk.spin, span);
 }
 
 void TrajectorySums::restart(double time)
@@ -43,16 +32,20 @@ void TrajectorySums::restart(double time)
     trajectory.counted_from = Trajectory::NEVER;
     if (!system_.active(slot))
       continue;
-    // The part of the present flight before now is subtracted here, because it is added at the end of the
-    // flight.
-    Trajectory before;
+    Trajectory since;
     const Disk& disk = system_.disk(slot);
-    integrate(before, disk, time);
-    trajectory.translation = -before.translation;
-    trajectory.rotation = -before.rotation;
-    trajectory.counted_x = flown(disk, time, gravity_).position.x() + trajectory.offset;
+    integrate(since, disk, time, -1.0);
+    trajectory.translation = since.translation;
+    trajectory.rotation = since.rotation;
+    trajectory.counted_x = positionAt(disk, time, gravity_).x() + trajectory.offset;
     trajectory.counted_from = system_.epoch().start + time;
   }
+}
+
+void TrajectorySums::rebase(double length)
+{
+  for (const std::uint32_t slot : system_.slots(true))
+    integrate(trajectories_[slot], system_.disk(slot), length);
 }
 
 }  // namespace ratchet_sieve

@@ -13,7 +13,8 @@ namespace ratchet_sieve
 
 class SystemState;
 
-/// One disk's stay in the machine: the sums over its flights. Kept after the disk has left. One cache line.
+/// One disk's stay in the machine: the sums over its flights, of the present one up to the epoch's zero, as
+/// if the disk were on it then. Kept after the disk has left. One cache line.
 struct alignas(64) Trajectory
 {
   /// Value of counted_from for disks that had left before the counting began.
@@ -26,7 +27,7 @@ struct alignas(64) Trajectory
   double translation = 0.0;   ///< integral of v^2 / 2 [m^2/s]
   double rotation = 0.0;      ///< integral of spin^2 / 2 [1/s]
   double left_when = 0.0;     ///< [s]
-  double angle = 0.0;         ///< at the disk's own time [rad]
+  double angle = 0.0;         ///< [rad]
 
   /// Whether any part of it counts.
   bool counts() const { return counted_from < NEVER; }
@@ -52,9 +53,15 @@ public:
   void reserve(std::size_t count) override { trajectories_.reserve(count); }
   void compact(const Compaction& compaction) override { keepSlots(trajectories_, compaction.kept); }
 
-  void entered(const Disk& disk) override;
+  void entered(const Disk& disk, double time) override;
   void left(const Departure& departure) override;
-  void flew(const Flight& flight) override { integrate(trajectories_[flight.slot], flight.from, flight.end); }
+  void flew(const Flight& flight) override { integrate(trajectories_[flight.slot], flight.disk, flight.end); }
+
+  /// The disk is on another flight since this local time.
+  void turned(std::uint32_t slot, const Disk& disk, double time)
+  {
+    integrate(trajectories_[slot], disk, time, -1.0);
+  }
 
   /// The disk was moved by -dx in the world by a periodic boundary; the displacement is unchanged.
   void wrapped(std::uint32_t slot, double dx) { trajectories_[slot].offset += dx; }
@@ -70,11 +77,11 @@ public:
   /// At a local time of the disk's present flight [rad].
   double angle(std::uint32_t slot, const Disk& disk, double local_time) const
   {
-    const double angle = trajectories_[slot].angle;
-    return spin_ ? positionAfter(angle, disk.spin, local_time - disk.time) : angle;
+    return positionAfter(trajectories_[slot].angle, disk.spin, local_time);
   }
 
   void restart(double time) override;
+  void rebase(double length) override;
 
   /// Unwrapped path along world x since the disk entered [m].
   double displacement(std::uint32_t slot, double x) const
@@ -86,11 +93,18 @@ public:
   void archive(StateArchive& state) override { state(trajectories_); }
 
 private:
-  void integrate(Trajectory& trajectory, const Disk& disk, double local_time) const;
+  /// Adds the disk's flight from the epoch's zero to a local time. @param sign -1.0: subtracts it
+  void integrate(Trajectory& trajectory, const Disk& disk, double local_time, double sign = 1.0) const
+  {
+    const double span = sign * local_time;
+    trajectory.translation +=
+        translationOver(disk.velocity.x(), disk.velocity.y(), gravity_ * local_time, span);
+    trajectory.rotation += rotationOver(disk.spin, span);
+    trajectory.angle = positionAfter(trajectory.angle, disk.spin, span);
+  }
 
   const SystemState& system_;
   double gravity_;
-  bool spin_;
   std::vector<Trajectory> trajectories_;  ///< per slot
 };
 
