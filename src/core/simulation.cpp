@@ -198,7 +198,7 @@ std::vector<SpeciesMeans> Simulation::sizeClassMeans() const
 
 std::vector<Observed> Simulation::observed() const
 {
-  return engine_->state().observers().observed(engine_->now());
+  return engine_->state().observers().observed(engine_->now(), engine_->settled());
 }
 
 double Simulation::blockEnd(std::uint64_t blocks) const

@@ -182,6 +182,32 @@ TEST(Observables, AreUndefinedWhereNothingLeft)
     EXPECT_EQ(*test::numberOf(row, "mean"), 0.0);
 }
 
+/// A run that begins at another time than 0, as that of a machine that is reset: nothing was seen until the
+/// end of `settle`, and nothing at that instant.
+TEST(Observables, HaveSeenNothingWhereTheirTimeHasNotBegun)
+{
+  for (const double settle : {0.0, 0.7})
+  {
+    SceneDefinition scene = observedScene(true);
+    scene.settle = settle;
+    Simulation simulation(scene, 100.0);
+    for (const double begun : {0.0, 0.9})
+    {
+      if (begun > 0.0)
+        simulation.advanceTo(100.0 + begun * settle);
+      const std::vector<Observed> all = simulation.observed();
+      for (const Observed& observed : all)
+        for (const ObservedRow& row : observed.rows)
+          for (const auto& number : row.numbers)
+            EXPECT_EQ(number.value.value_or(0.0), 0.0) << observed.name << " " << number.name;
+      for (const ObservedRow& row : test::named(all, "mass_flow").rows)
+        EXPECT_FALSE(test::numberOf(row, "mean")) << simulation.time();
+    }
+    simulation.advanceTo(103.0);
+    EXPECT_TRUE(test::numberOf(test::named(simulation.observed(), "mass_flow").rows[0], "mean"));
+  }
+}
+
 TEST(Observables, RefuseAnUnknownName)
 {
   SceneDefinition scene = test::mixture(1);

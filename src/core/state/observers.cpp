@@ -175,11 +175,15 @@ std::vector<SpeciesBins>& Observers::sizeClassBins()
   return bins_->of_size_classes;
 }
 
-std::vector<Observed> Observers::observed(double time) const
+std::vector<Observed> Observers::observed(double time, bool settled) const
 {
   std::vector<Observed> observed;
-  for (const Observable* observable : observables_)
-    observed.push_back(observable->observed(time));
+  for (std::size_t k = 0; k < observables_.size(); ++k)
+  {
+    const std::unique_ptr<Observable> begun = makeObservable(system_.scene().observe[k], system_);
+    begun->restart(time);
+    observed.push_back((settled ? observables_[k] : begun.get())->observed(time));
+  }
   return observed;
 }
 

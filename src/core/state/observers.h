@@ -185,8 +185,8 @@ public:
   /// Of a profile; empty for a sawtooth.
   FaceContacts faceContacts() const { return faces_ ? faces_->contacts() : FaceContacts(); }
 
-  /// What the scene asks for, until `time`.
-  std::vector<Observed> observed(double time) const;
+  /// What the scene asks for, until `time`; before the end of `settle` as if nothing had happened yet.
+  std::vector<Observed> observed(double time, bool settled) const;
 
 private:
   template <typename Call>
