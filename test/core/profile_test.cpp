@@ -122,6 +122,26 @@ TEST(Profile, OfTwoSlopesHasARatioOfThem)
   EXPECT_FALSE(base.slopeAsymmetry());
   base.profile = test::castle();
   EXPECT_FALSE(base.slopeAsymmetry());
+  base.profile.clear();
+  EXPECT_NEAR(*base.slopeAsymmetry(), 0.3, 1e-15);
+  base.tooth_height = 0.0;
+  EXPECT_FALSE(base.slopeAsymmetry());
+}
+
+TEST(Profile, OfAFlatSawtoothIsLevel)
+{
+  for (SceneDefinition scene : {test::mixture(20), test::singleParticles(20)})
+    for (const double asymmetry : {0.0, 0.3, 1.0})
+    {
+      scene.base.teeth = 5;
+      scene.base.tooth_height = 0.0;
+      scene.base.asymmetry = asymmetry;
+      Simulation simulation(scene);
+      simulation.advanceTo(1.0);
+      const CollisionCounts& counts = simulation.collisions();
+      EXPECT_GT(counts.level, 100u);
+      EXPECT_EQ(counts.level + counts.disk_disk, counts.total());
+    }
 }
 
 /// The same bits: in all loops, for all boundaries, while the base turns.

@@ -18,7 +18,7 @@ enum class CollisionKind
   RIGHT_SLOPE,
   APEX,  ///< a convex corner of a tooth, or the outermost foot of an open base
   WALL,
-  LEVEL  ///< a level face of a profile
+  LEVEL  ///< a level face of a tooth, or a flat base
 };
 
 /// The name used in summaries and collision files.

@@ -83,11 +83,11 @@ void BaseShape::addFaces()
   {
     const OutlineCorner& left = outline_[i];
     const OutlineCorner& right = outline_[i + 1];
-    // The slopes of a sawtooth keep their names if it is flat.
-    const bool rises = is_profile_ ? left.n <= right.n : i == 0;
-    const bool level = is_profile_ && left.n == right.n;
+    const bool rises = left.n <= right.n;
     Face face = rises ? makeFace(left, right, 1.0) : makeFace(right, left, -1.0);
-    face.kind = level ? CollisionKind::LEVEL : rises ? CollisionKind::LEFT_SLOPE : CollisionKind::RIGHT_SLOPE;
+    face.kind = left.n == right.n ? CollisionKind::LEVEL
+                : rises           ? CollisionKind::LEFT_SLOPE
+                                  : CollisionKind::RIGHT_SLOPE;
     face.number = static_cast<std::int32_t>(i);
     faces_.push_back(face);
   }
@@ -98,10 +98,7 @@ void BaseShape::addCorners()
   for (std::size_t i = 0; i < faces_.size(); ++i)
   {
     const Face& before = faces_[(i > 0 ? i : faces_.size()) - 1];
-    // A sawtooth keeps its apex if it is flat.
-    const bool is_corner =
-        is_profile_ ? turn(toTheRight(before), toTheRight(faces_[i])) < -SMALLEST_TURN : i == 1;
-    if (is_corner)
+    if (turn(toTheRight(before), toTheRight(faces_[i])) < -SMALLEST_TURN)
       corners_.push_back({{outline_[i].s, outline_[i].n}, faces_[i].number});
   }
 }

@@ -30,8 +30,6 @@ double BaseDefinition::depth() const
 
 std::optional<double> BaseDefinition::slopeAsymmetry() const
 {
-  if (isSawtooth())
-    return asymmetry;
   const std::vector<OutlineCorner> corners = outline();
   if (corners.size() != 3 || corners[1].n == 0.0)
     return std::nullopt;

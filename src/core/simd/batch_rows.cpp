@@ -46,12 +46,12 @@ BaseFeature baseFeature(BatchFeature feature, std::int32_t valley)
 }
 
 /// @pre the shape is a sawtooth
-void setTeeth(const BaseShape& shape, BatchScene& scene)
+void setTeeth(const BaseDefinition& base, const BaseShape& shape, BatchScene& scene)
 {
   const BaseShape::Face& left_slope = shape.faces().front();
   const BaseShape::Face& right_slope = shape.faces().back();
   const double w = shape.toothWidth();
-  const double a = shape.corners().front().position.x();
+  const double a = base.outline()[1].s;
   scene.tooth_width = w;
   scene.per_tooth_width = 1.0 / w;
   scene.width = shape.width();
@@ -79,7 +79,7 @@ std::optional<BatchScene> batchScene(const SystemState& system)
   scene.longest_search = system.epoch().length;
   scene.resolution = timeResolution(system.epoch().length);
   scene.law = definition.contact;
-  setTeeth(system.shape(), scene);
+  setTeeth(definition.base, system.shape(), scene);
   const double w = angularFrequency(scene.drive.frequency);
   BatchBounds& bounds = scene.bounds;
   bounds.gravity = static_cast<float>(scene.gravity);

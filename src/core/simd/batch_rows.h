@@ -31,15 +31,16 @@ void copyRow(SimdBatch& batch, std::size_t from, std::size_t to);
 BaseEvent rowEvent(const SimdBatch& batch, std::size_t row);
 
 /// The outcome of a row's event after `collide`. A row without a contact has a separating outcome.
-inline ContactOutcome outcomeOf(const SimdBatch& batch, std::size_t row, std::uint32_t slot,
-                                std::uint32_t species)
+inline ContactOutcome outcomeOf(const BatchScene& scene, const SimdBatch& batch, std::size_t row,
+                                std::uint32_t slot, std::uint32_t species)
 {
   // Indexed by BatchFeature.
   constexpr CollisionKind KINDS[] = {CollisionKind::APEX, CollisionKind::RIGHT_SLOPE,
                                      CollisionKind::LEFT_SLOPE, CollisionKind::APEX};
   ContactOutcome outcome;
   outcome.time = batch.time[row];
-  outcome.kind = KINDS[static_cast<std::int32_t>(batch.feature[row])];
+  outcome.kind =
+      scene.height > 0.0 ? KINDS[static_cast<std::int32_t>(batch.feature[row])] : CollisionKind::LEVEL;
   outcome.i = slot;
   outcome.species = species;
   outcome.normal = {batch.normal_x[row], batch.normal_y[row]};

@@ -182,8 +182,8 @@ private:
     }
     kernel.collide(scene, batch_, rows);
     report_.events += rows;
-    share_->collided(rows,
-                     [this](std::size_t row) { return outcomeOf(batch_, row, slots_[row], species_[row]); });
+    share_->collided(
+        rows, [&](std::size_t row) { return outcomeOf(scene, batch_, row, slots_[row], species_[row]); });
     kernel.search(scene, batch_, rows);
   }
 
