@@ -189,7 +189,7 @@ double halfWidthOver(double confidence, std::size_t blocks)
 double timesForTrust(const std::vector<BlockSum>& series, const BlockError& error)
 {
   // Joining increases the error by the square root of the number of correlated blocks.
-  const double joined = error.error > 0.0 ? error.error / scatterError(series) : 1.0;
+  const double joined = error.error > 0.0 ? std::max(1.0, error.error / scatterError(series)) : 1.0;
   return INDEPENDENT_BLOCKS / static_cast<double>(series.size()) * joined * joined;
 }
 

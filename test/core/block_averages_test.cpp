@@ -43,6 +43,37 @@ TEST(BlockAverages, FindTheErrorOfACorrelatedSeries)
   EXPECT_NEAR(foundOverTrue(0.5, 100), 1.0, 0.1);
 }
 
+/// A disk that jiggles about a place: however long the series is, its displacement is that between the two
+/// ends. The error of independent samples would be up to 20 times as large.
+TEST(BlockAverages, FindTheErrorOfABoundedSum)
+{
+  for (const double memory : {0.0, 0.8})
+    for (const int length : {300, 4000})
+    {
+      Random random(12);
+      const int series = 200;
+      double found = 0.0, truth = 0.0;
+      for (int k = 0; k < series; ++k)
+      {
+        BlockAverages blocks;
+        double place = 0.0, first = 0.0;
+        for (int i = -50; i <= length; ++i)
+        {
+          const double before = place;
+          place = memory * place + random.uniform() - 0.5;
+          if (i > 0)
+            blocks.add(place - before, 1.0);
+          else
+            first = place;
+        }
+        found += std::pow(*blocks.standardError() * length, 2);
+        truth += std::pow(place - first, 2);
+      }
+      EXPECT_GT(found / truth, 0.8) << memory << " " << length;
+      EXPECT_LT(found / truth, 1.7) << memory << " " << length;
+    }
+}
+
 TEST(BlockAverages, TooShortASeriesSaysNothing)
 {
   BlockAverages blocks;

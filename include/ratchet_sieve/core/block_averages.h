@@ -33,9 +33,10 @@ double scatterError(const std::vector<BlockSum>& blocks);
 
 /// The standard error of the ratio over a correlated series: the correlations of its blocks are added up,
 /// over a window that ends where a longer one would add more noise than it finds. U. Wolff, Comput. Phys.
-/// Commun. 156, 143 (2004), doi:10.1016/S0010-4655(03)00467-3. It is never less than that of independent
-/// blocks. Nothing if the series is too short to tell: fewer than BlockAverages::MIN_BLOCKS blocks with a
-/// weight, or fewer than six correlation times.
+/// Commun. 156, 143 (2004), doi:10.1016/S0010-4655(03)00467-3. If the sums of the blocks stay within bounds,
+/// as displacements of trapped disks do, it is that of the bounds; otherwise it is never less than that of
+/// independent blocks. Nothing if the series is too short to tell: fewer than BlockAverages::MIN_BLOCKS
+/// blocks with a weight, or fewer than six correlation times.
 std::optional<BlockError> seriesError(const std::vector<BlockSum>& blocks);
 
 /// The standard error of a mean velocity over a correlated series. The samples of one run are correlated: the

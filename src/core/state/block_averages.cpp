@@ -17,6 +17,12 @@ constexpr double SHORTEST_RUN = 6.0;
 /// Wolff's S: how long the correlations are at most, over what is seen of them.
 constexpr double WINDOW_FACTOR = 1.5;
 
+/// Sums over a series stay within bounds, as displacements of trapped disks do, if those of sixteenths and of
+/// quarters scatter by less than these shares of what independent blocks would. One in a hundred series of
+/// independent blocks looks so.
+constexpr double BOUNDED_SIXTEENTHS = 0.6;
+constexpr double BOUNDED_QUARTERS = 0.2;
+
 std::vector<BlockSum> joined(const std::vector<BlockSum>& blocks)
 {
   std::vector<BlockSum> pairs;
@@ -53,6 +59,33 @@ double lagSum(const std::vector<double>& deviations, std::size_t lag)
   for (std::size_t k = lag; k < deviations.size(); ++k)
     sum += deviations[k] * deviations[k - lag];
   return sum;
+}
+
+/// The mean square of the sums of `length` consecutive deviations.
+double spread(const std::vector<double>& deviations, std::size_t length)
+{
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t k = 0; k < deviations.size(); ++k)
+  {
+    sum += deviations[k] - (k >= length ? deviations[k - length] : 0.0);
+    squares += k + 1 >= length ? sum * sum : 0.0;
+  }
+  return squares / static_cast<double>(deviations.size() - length + 1);
+}
+
+/// The squared error of the sum of a series whose sums stay within bounds: the spread of quarters, and as
+/// much more for the rest as it grows between eighths and quarters; nothing if they do not.
+/// @param independent sum of the squares
+std::optional<double> boundedSquare(const std::vector<double>& deviations, double independent)
+{
+  const std::size_t eighth = deviations.size() / 8;
+  const double quarters = spread(deviations, 2 * eighth);
+  if (16.0 * spread(deviations, eighth / 2) >= BOUNDED_SIXTEENTHS * independent ||
+      4.0 * quarters >= BOUNDED_QUARTERS * independent)
+    return std::nullopt;
+  const double growth = std::max(0.0, quarters - spread(deviations, eighth)) / static_cast<double>(eighth);
+  return quarters + growth * static_cast<double>(deviations.size() - 2 * eighth);
 }
 
 /// Whether a longer window would add more noise to the error than it removes bias from it: Wolff's eq. 52.
@@ -101,6 +134,8 @@ std::optional<BlockError> seriesError(const std::vector<BlockSum>& blocks)
   const double independent = lagSum(deviations, 0);
   if (independent <= 0.0)
     return BlockError{0.0, count};
+  if (const std::optional<double> squared = boundedSquare(deviations, independent))
+    return BlockError{std::sqrt(*squared) / weightOf(blocks), 4};
   double sum = independent;
   for (std::size_t lag = 1; 2 * lag + 1 < count / 2; ++lag)
   {
