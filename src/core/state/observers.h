@@ -46,7 +46,6 @@ public:
   // Inlined: a call costs 1 % of a run.
   [[gnu::always_inline]] void flew(const Flight& flight, ThreadBuffer* share = nullptr)
   {
-    trajectories_.flew(flight);
     if (!wants(Observer::FLIGHTS))
       return;
     if (share != nullptr)

@@ -146,9 +146,11 @@ public:
   {
     Disk& disk = disks_[slot];
     observers_.flew({slot, disk, time}, share);
+    const Two velocity = twoOf(disk.velocity);
+    const double spin = disk.spin;
     disk.redirect(turn.way, turn.velocity, time);
     disk.spin += turn.spin;
-    observers_.trajectories().turned(slot, disk, time);
+    observers_.trajectories().turned(slot, velocity, spin, disk, time);
   }
 
   /// For SIMD batches. May be called by several threads for different disks at the same time.

@@ -21,7 +21,9 @@ void TrajectorySums::entered(const Disk& disk, double time)
 
 void TrajectorySums::left(const Departure& departure)
 {
-  trajectories_[departure.slot].left_when = system_.epoch().start + departure.time;
+  Trajectory& trajectory = trajectories_[departure.slot];
+  integrate(trajectory, system_.disk(departure.slot), departure.time);
+  trajectory.left_when = system_.epoch().start + departure.time;
 }
 
 void TrajectorySums::restart(double time)

@@ -55,12 +55,15 @@ public:
 
   void entered(const Disk& disk, double time) override;
   void left(const Departure& departure) override;
-  void flew(const Flight& flight) override { integrate(trajectories_[flight.slot], flight.disk, flight.end); }
 
-  /// The disk is on another flight since this local time.
-  void turned(std::uint32_t slot, const Disk& disk, double time)
+  /// A disk turns from a flight with this velocity and spin into its present one, at a local time.
+  void turned(std::uint32_t slot, Two velocity, double spin, const Disk& disk, double time)
   {
-    integrate(trajectories_[slot], disk, time, -1.0);
+    Trajectory& trajectory = trajectories_[slot];
+    trajectory.translation += translationChange(velocity[0], velocity[1], disk.velocity.x(), disk.velocity.y(),
+                                                gravity_ * time, time);
+    trajectory.rotation += rotationChange(spin, disk.spin, time);
+    trajectory.angle += (spin - disk.spin) * time;
   }
 
   /// The disk was moved by -dx in the world by a periodic boundary; the displacement is unchanged.
