@@ -42,7 +42,8 @@ public:
       tell(outcome);
   }
 
-  void flew(const Flight& flight, ThreadBuffer* share = nullptr)
+  // Inlined: a call costs 1 % of a run.
+  [[gnu::always_inline]] void flew(const Flight& flight, ThreadBuffer* share = nullptr)
   {
     if (!wants(Observer::FLIGHTS))
       return;
