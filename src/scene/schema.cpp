@@ -227,7 +227,7 @@ const Keys<ContactDefinition> CONTACT_KEYS = {
      "energy; 0: not used."},
     {"on_collapse", [](auto& c) -> Slot { return &c.on_collapse; }, ANY,
      "What happens at an inelastic collapse: the run ends with an error (stop), or the disk's "
-     "contacts lose no energy for a while and the run counts it (rebound)."},
+     "slow contacts lose no energy for a while and the run counts it (rebound)."},
     {"collapse_events", [](auto& c) -> Slot { return &c.collapse_events; }, between(1e3, 1e9),
      "Number of events of one disk within a drive period (or the time of a fall over a tooth, if "
      "shorter) above which it is in a collapse."},

@@ -14,6 +14,10 @@ namespace
 /// First minimum rebound speed of a lossless disk, as a fraction of the speed of a fall from a tooth's
 /// height. Hops at this speed occur some hundred times per time scale.
 constexpr double FIRST_FLOOR = 1e-3;
+
+/// After this many consecutive collapses the minimum rebound speed is one at which dense heaps did not
+/// collapse (docs/stability.md).
+constexpr std::uint32_t HELPFUL_LEVEL = 6;
 }  // namespace
 
 CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale,
@@ -27,11 +31,10 @@ CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale
 {
 }
 
-double CollapseWatch::floorSpeed(std::uint32_t slot) const
+double CollapseWatch::floorOf(std::uint32_t level) const
 {
-  const double floor =
-      std::ldexp(FIRST_FLOOR * speed_scale_, static_cast<int>(disks_[slot].window.level) - 1);
-  return std::max(floor, contact_.min_rebound_speed);
+  const double floor = std::ldexp(FIRST_FLOOR, static_cast<int>(level) - 1);
+  return std::max(std::min(floor, 1.0) * speed_scale_, contact_.min_rebound_speed);
 }
 
 void CollapseWatch::collapse(std::uint32_t slot, double time)
@@ -61,14 +64,17 @@ std::string CollapseWatch::text() const
   text << "inelastic collapse: disk " << (first_stuck_ ? first_stuck_->disk : counts_.first_disk)
        << " had more than " << limit_ << " events within " << time_scale_ << " s at "
        << (first_stuck_ ? first_stuck_->time : counts_.first_time) << " s";
+  text.precision(3);
   if (first_stuck_)
-    text << ", although its contacts were lossless";
-  else if (stops_)
-    text << "; a larger contact.min_rebound_speed may avoid it; contact.on_collapse: rebound lets "
-            "the run continue";
+    text << ", although its contacts below " << slow() << " m/s were lossless: it has no room";
+  else if (!stops_)
+    text << ", the first of " << countText(counts_.count, "time") << "; its contacts below " << slow()
+         << " m/s were lossless for a while";
+  else if (contact_.min_rebound_speed < floorOf(HELPFUL_LEVEL))
+    text << "; a contact.min_rebound_speed of " << floorOf(HELPFUL_LEVEL)
+         << " m/s or more may avoid it, or contact.on_collapse: rebound, if the disk has room";
   else
-    text << ", the first of " << countText(counts_.count, "time")
-         << "; its contacts were lossless for a while";
+    text << "; contact.on_collapse: rebound may free it, if it has room";
   return text.str();
 }
 

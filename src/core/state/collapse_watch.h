@@ -18,10 +18,12 @@ namespace ratchet_sieve
 /// allows (McNamara & Young, Phys. Fluids A 4, 496 (1992), doi:10.1063/1.858323). The same happens to a disk
 /// that is wedged between bodies.
 ///
-/// If the scene lets the run continue, the disk is lossless until a whole time scale has passed without a
-/// collapse. Its contacts lose no energy, which frees a wedged disk, and have a minimum rebound speed, which
-/// lets a resting disk hop. The minimum doubles with every consecutive collapse. A disk that is not freed by
-/// that is stuck, and ends the run.
+/// If the scene lets the run continue, the disk's slow contacts are lossless until a whole time scale has
+/// passed without a collapse. They lose no energy, which frees a wedged disk, and have a minimum rebound
+/// speed, which lets a resting disk hop. The minimum doubles with every consecutive collapse, up to the speed
+/// of a fall from a tooth's height. Faster contacts stay as they are: were they lossless, a disk without room
+/// would take energy from a moving base without bound. A disk that is not freed by that is stuck, and ends
+/// the run.
 class CollapseWatch
 {
 public:
@@ -68,11 +70,14 @@ public:
 
   void setCounts(const CollapseCounts& counts) { counts_ = counts; }
 
-  /// Whether the disk's contacts lose no energy at present. Fast while there was no collapse at all.
+  /// Whether the disk's slow contacts lose no energy at present. Fast while there was no collapse at all.
   bool lossless(std::uint32_t slot) const { return counts_.count > 0 && disks_[slot].window.level > 0; }
 
+  /// Contacts that are slower are slow [m/s].
+  double slow() const { return speed_scale_; }
+
   /// Minimum rebound speed of a lossless disk [m/s].
-  double floorSpeed(std::uint32_t slot) const;
+  double floorSpeed(std::uint32_t slot) const { return floorOf(disks_[slot].window.level); }
 
   /// Whether MAX_LEVEL consecutive collapses did not free the disk.
   bool stuck(std::uint32_t slot) const { return disks_[slot].window.level > MAX_LEVEL; }
@@ -82,7 +87,7 @@ public:
 
   const CollapseCounts& counts() const { return counts_; }
 
-  /// One line with the figures. @pre counts().count > 0
+  /// One line with the figures, and with what can help. @pre counts().count > 0
   std::string text() const;
 
   /// The epoch's start [s].
@@ -91,7 +96,7 @@ public:
   void archive(StateArchive& state) { state(epoch_start_, counts_, first_stuck_, stops_); }
 
 private:
-  /// After this many consecutive collapses the minimum rebound speed exceeds any speed of the machine: the
+  /// After this many consecutive collapses, the last five of them at the largest minimum rebound speed, the
   /// disk cannot be freed.
   static constexpr std::uint32_t MAX_LEVEL = 16;
 
@@ -105,6 +110,7 @@ private:
   };
 
   void collapse(std::uint32_t slot, double time);
+  double floorOf(std::uint32_t level) const;
 
   ContactDefinition contact_;
   std::vector<DiskRecord>& disks_;

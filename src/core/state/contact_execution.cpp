@@ -56,7 +56,7 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
     // d theta/dt.
     const double tangential_velocity =
         across(approach.normal, point.velocity) - disk.radius * (disk.spin - frame.inclination_rate);
-    outcome.lossless = lossless(slot, time);
+    outcome.lossless = lossless(slot, -outcome.normal_velocity, time);
     ContactCoefficients coefficients = outcome.lossless ? LOSSLESS : species.contact;
     if (outcome.kind == CollisionKind::WALL)
       coefficients.friction = 0.0;
@@ -97,7 +97,8 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
       outcome.normal_velocity = -std::numeric_limits<double>::epsilon() * velocity.norm();
     const double tangential_velocity =
         across(outcome.normal, velocity) - (a.radius * a.spin + b.radius * b.spin);
-    outcome.lossless = lossless(i, time) || lossless(j, time);
+    const double speed = -outcome.normal_velocity;
+    outcome.lossless = lossless(i, speed, time) || lossless(j, speed, time);
     const std::size_t pair = a.species * system_.scene().species.size() + b.species;
     respond(outcome, outcome.lossless ? LOSSLESS : pair_coefficients_[pair],
             contactMasses(inertia(i), inertia(j)), tangential_velocity,

@@ -43,9 +43,10 @@ private:
   {
     return {system_.properties(slot).mass, levers_[system_.disk(slot).species]};
   }
-  bool lossless(std::uint32_t slot, double time) const
+  /// @param speed of approach [m/s]
+  bool lossless(std::uint32_t slot, double speed, double time) const
   {
-    return system_.collapseWatch().lossless(slot) ||
+    return (system_.collapseWatch().lossless(slot) && speed < system_.collapseWatch().slow()) ||
            (contact_times_ &&
             time - system_.record(slot).last_contact < system_.scene().contact.contact_duration);
   }
