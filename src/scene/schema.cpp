@@ -178,7 +178,8 @@ const Keys<SpeciesDefinition> SPECIES_KEYS = {
      "density or initial, which replace it.",
      Presence::OPTIONAL, "-"},
     {"share", [](auto& s) -> Slot { return &s.share; }, upTo(LARGEST_SHARE),
-     "Weight of the species in the split of density and among the disks that are fed; see share_by."},
+     "Weight of the species among the disks that are fed or that density pours: a share by number, unless "
+     "share_by is mass."},
     {"radius", [](auto& s) -> Slot { return &s.radius; }, between(SMALLEST_LENGTH, LARGEST_LENGTH, "m"),
      "Radius r; with a size, that of a disk of mass m; a disk must fit into the base, and the smallest "
      "must not be too small for double "
@@ -192,8 +193,9 @@ const Keys<SpeciesDefinition> SPECIES_KEYS = {
 
 const Keys<SizeShare> SHARE_KEYS = {
     {"share_by", [](auto& by) -> Slot { return &by; }, ANY,
-     "What the shares are shares of: the number of disks, or their mass, by the mean mass of a disk of each "
-     "species; the same for all species."},
+     "Whether the shares are those of the disks or of their mass, by the mean mass of a disk of each "
+     "species; "
+     "the same for all species."},
 };
 
 const Keys<double> MATERIAL_KEYS = {
