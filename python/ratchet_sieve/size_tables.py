@@ -8,6 +8,8 @@ import re
 import sys
 from typing import Any, Iterator, NoReturn, Optional, Union
 
+from .arguments import number
+
 MILLI, MICRO = 1e-3, 1e-6
 SUM = 2.0        # by which percentages may miss 100
 AGREEMENT = 1.0  # of the columns of one table [percentage points]
@@ -43,9 +45,9 @@ def size_table(path: Union[str, os.PathLike], *, column: Optional[str] = None, s
     by: mass}. Says on stderr what it understood.
 
     path      of a table: semicolons, tabs or commas between its cells, decimal commas or points, UTF-8, UTF-16 or
-              Latin-1, lines of any text before. A column of mesh widths in mm or µm, which are diameters, and one or more
-              of what each mesh retains (g, %), of that summed up, or of what passes (%), named so in German or English.
-              Several columns must agree
+              Latin-1, lines of any text before. A column of mesh widths in mm or µm, which are diameters, and one or
+              more of what each mesh retains (g, %), of that summed up, or of what passes (%), named so in German or
+              English. Several columns must agree
     column    the name of the one to read, where they do not
     smallest  diameter of the smallest grain in the pan [m]; None: what passes the finest mesh is as wide as that
     largest   diameter of the largest grain [m], where the widest mesh retains some
@@ -83,8 +85,8 @@ class _Analysis:
             if start is not None:
                 break
         else:
-            raise ValueError(f'{path}: no line with the name of a column of mesh widths, such as "Maschenweite [mm]" or '
-                             '"Sieve size (mm)", and that of ' +
+            raise ValueError(f'{path}: no line with the name of a column of mesh widths, such as "Maschenweite [mm]" '
+                             'or "Sieve size (mm)", and that of ' +
                              (f'"{wanted}"' if wanted else 'one of what they retain or what passes'))
         self.comma = self._has_commas(start)
         self.rows = sorted(self._rows(start), key=lambda row: row.width)
@@ -126,7 +128,7 @@ class _Analysis:
 
     def _rows(self, start: int) -> Iterator[_Row]:
         begun = False
-        for number, line in enumerate(self.lines[start:], start + 1):
+        for at, line in enumerate(self.lines[start:], start + 1):
             cells = [cell.strip() for cell in line]
             if not any(cells):
                 if begun:
@@ -134,24 +136,27 @@ class _Analysis:
                 continue
             first = next(filter(None, cells)).lower()
             mesh = cells[self.mesh].lower() if self.mesh < len(cells) else ""
-            if re.search(END, first):
+            cells += [""] * (self.width - len(cells))
+            is_text = not re.search(f"{PAN}|[0-9]", mesh or first) and not any(cells[c.index] for c in self.columns)
+            if re.search(END, first) or begun and is_text:
                 return
-            if len(cells) > self.width and any(cells[self.width:]):
-                self._refuse(self.mesh_name, f"its line has {len(cells)} cells, that of the names has {self.width}", number)
+            if any(cells[self.width:]):
+                self._refuse(self.mesh_name, f"its line has {len(cells)} cells, that of the names has {self.width}",
+                             at)
             begun = True
-            yield _Row(number, *self._class(number, mesh or first), cells + [""] * (self.width - len(cells)))
+            yield _Row(at, *self._class(at, mesh or first), cells)
 
-    def _class(self, number: int, cell: str) -> tuple[float, Optional[float]]:
+    def _class(self, line: int, cell: str) -> tuple[float, Optional[float]]:
         """@return the mesh width [m], 0: the pan; the width of the next wider mesh [m], where the row has it"""
         match = re.fullmatch(rf"([<>≥≤]?)\s*({NUMBER})\s*(?:[-–]\s*({NUMBER})\s*)?({LENGTH})?", cell)
         if re.search(PAN, cell) or match and match[1] and match[1] in "<≤":
             return 0.0, None
         if not match:
-            self._refuse(self.mesh_name, f'"{cell}" is no mesh width, pan or sum', number)
+            self._refuse(self.mesh_name, f'"{cell}" is no mesh width, pan or sum', line)
         unit = match[4] or next(iter(re.findall(LENGTH, self.mesh_name.lower())), None)
         if unit is None:
             self._refuse(self.mesh_name, "has no unit: must be mm or µm")
-        ends = sorted(round(LENGTHS[unit] * self._number(number, self.mesh_name, text), DIGITS)
+        ends = sorted(round(LENGTHS[unit] * self._number(line, self.mesh_name, text), DIGITS)
                       for text in (match[2], match[3]) if text)
         return ends[0], ends[1] if len(ends) > 1 else None
 
@@ -160,8 +165,8 @@ class _Analysis:
         decimal, thousands = (",", r"\.") if self.comma else (r"\.", ",")
         whole = rf"[0-9]*|[0-9]{{1,3}}({thousands}[0-9]{{3}})+(?={decimal})"
         if not re.fullmatch(rf"({whole})({decimal}[0-9]*)?", text) or not re.search("[0-9]", text):
-            self._refuse(name, f'"{text}" is no number from 0 on with decimal {"commas" if self.comma else "points"}, as '
-                               "the others are", line)
+            self._refuse(name, f'"{text}" is no number from 0 on with decimal {"commas" if self.comma else "points"}, '
+                               "as the others are", line)
         value = float(text.replace("." if self.comma else ",", "").replace(",", "."))
         if value > LARGEST:
             self._refuse(name, f"{text[:20]}... is too large", line)
@@ -214,15 +219,14 @@ class _Analysis:
 
     def _agreed(self) -> tuple[list[float], _Column, list[str]]:
         """@return shares, the column that they are from, and the names of those that agree"""
-        clear = [column for column in self.columns if column.kind and column.unit]
-        order = ["retained", "cumulative", "passing"]
-        clear = sorted(clear or self.columns, key=lambda column: (column.unit != "g", order.index(column.kind or order[0])))
+        clear = [column for column in self.columns if column.kind and column.unit] or self.columns
+        clear = sorted(clear, key=lambda column: (column.unit != "g", list(_KINDS).index(column.kind or "retained")))
         found = [self._shares(column) for column in clear]
         for column, shares in zip(clear[1:], found[1:]):
             apart = max(abs(a - b) for a, b in zip(found[0], shares))
             if apart > AGREEMENT:
-                self._refuse(column.name, f'differs from "{clear[0].name}" by {apart:.3g} % of the mass: which is meant '
-                                          "(column=)?")
+                self._refuse(column.name, f'differs from "{clear[0].name}" by {apart:.3g} % of the mass: which is '
+                                          "meant (column=)?")
         return found[0], clear[0], [column.name for column in clear[1:]]
 
     def table(self, smallest: Optional[float], largest: Optional[float]) -> SizeTable:
@@ -231,12 +235,13 @@ class _Analysis:
         pan, meshes = shares[0], len(widths)
         largest = self.rows[-1].upper if largest is None else largest
         if largest is None and shares[-1] > 0.0:
-            self._refuse(column.name, f"{shares[-1]:.3g} % do not pass the widest mesh, {1e3 * widths[-1]:g} mm: how large "
-                                      "are they (largest=)?")
-        for name, given, wrong in (("smallest", smallest, smallest is not None and not 0.0 < smallest < widths[0]),
-                                   ("largest", largest, largest is not None and not largest > widths[-1])):
-            if wrong:
-                raise ValueError(f"{name} = {given!r}: must be a diameter [m] beyond the meshes, {widths[0]:g} to "
+            self._refuse(column.name, f"{shares[-1]:.3g} % do not pass the widest mesh, {1e3 * widths[-1]:g} mm: how "
+                                      "large are they (largest=)?")
+        ends = [(name, number(name, given, unit="m")) for name, given in (("smallest", smallest), ("largest", largest))
+                if given is not None]
+        for name, given in ends:
+            if not (0.0 < given < widths[0] if name == "smallest" else given > widths[-1]):
+                raise ValueError(f"{name} = {given:g}: must be a diameter [m] beyond the meshes, {widths[0]:g} to "
                                  f"{widths[-1]:g} m")
         if smallest is not None:
             widths, shares = [smallest, *widths], [0.0, *shares]
@@ -250,7 +255,8 @@ class _Analysis:
             del shares[0], widths[0]
         sizes = SizeTable(distribution="table", radii=[round(0.5 * width, DIGITS) for width in widths],
                           weights=[round(share, 6) for share in shares], by="mass")
-        sizes.understood = (f'{self.path}: {meshes} meshes, "{self.mesh_name}"; {_KINDS[column.kind]} from "{column.name}"'
+        sizes.understood = (f'{self.path}: {meshes} meshes, "{self.mesh_name}"; {_KINDS[column.kind]} from '
+                            f'"{column.name}"'
                             + (f", as {_names(others)} say{'s' * (len(others) == 1)}" if others else "")
                             + f"; diameters {1e3 * widths[0]:g} to {1e3 * widths[-1]:g} mm"
                             + (f"; {pan:.3g} % pass the finest mesh and are taken to be as wide as it"

@@ -32,6 +32,7 @@ Pan,,0.0,0.0,100.0,
 Total,,"1,204.6",100.0,,
 D50 (mm),0.72,,,,
 """
+REMARKS = "Sieve (mm);Mass retained (g);Remarks\n2;0;\n1;60;\n0,5;40;damp\nPan;0;\nTested by: Miller\n"
 CLASSES = "Korngröße\tAnteil\nµm\tGew.-%\n63 - 125\t20,0\n125 – 250\t80,0\n"
 PLAIN = "Maschenweite [mm];Rückstand [%]\n4;0\n2;40\n1;60\n"
 
@@ -86,8 +87,10 @@ def test_the_ends_may_be_given(read):
         read(GERMAN.replace("4,000;412,3;412,3;0,0;100,0\n", ""))
     table = read(GERMAN.replace("4,000;412,3;412,3;0,0;100,0\n", ""), largest=0.005, smallest=0.001)
     assert table["radii"][0] == 0.0005 and table["radii"][-1] == 0.0025 and table["weights"][0] == 0.0
-    for name, value in (("largest", 0.001), ("smallest", 0.003), ("smallest", 0.0)):
-        with pytest.raises(ValueError, match=f"{name} = {value}: must be a diameter"):
+    assert read(REMARKS)["weights"] == [0.0, 40.0, 60.0]
+    for name, value in (("largest", 0.001), ("smallest", 0.003), ("smallest", 0), ("largest", float("nan")),
+                        ("largest", "4")):
+        with pytest.raises(ValueError, match=f"{name} = '?{value}'?: must be "):
             read(GERMAN, **{name: value})
 
 
