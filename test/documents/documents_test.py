@@ -22,7 +22,7 @@ from session import Session, lookup
 FOLDERS = 'benchmark|config|docs|examples|include|launch|msg|python|rviz|scripts|src|srv|studies|test'
 SECTIONS = 'base|boundary|gravity|species|pairs|density|contact|pour|feed|initial|accuracy|duration|settle|seed'
 # Files of the user, or created by the commands.
-MADE = {'controller.py', 'fig9.yaml', 'lab.csv', 'statistics.csv'}
+MADE = {'controller.py', 'fig9.yaml', 'statistics.csv'}
 FRAMES = ['sieve_mount', 'sieve_base', 'sieve_world']
 OPTIONS_OF_OTHERS = {'--skip-keys'}
 WITH_RVIZ = {'node.md'}
