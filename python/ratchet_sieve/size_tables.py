@@ -23,7 +23,9 @@ MESH = r"maschen|sieb(weite|größe|groesse|öffnung)|lochweite|korngr|partikelg
 PASSING = r"durchgang|durchlauf|unterkorn|pass|finer|undersize"
 CUMULATIVE = r"summe|summiert|kum|cum"
 RETAINED = r"r(ü|ue)ckst(a|ä|ae)nd|auswaage|masse|gew(icht|\.)|anteil|retained|mass\b|weight|fraction"
-OTHER = r"leer|tara|tare|empty|brutto|gross|voll\b|full|\+|einwaage|loss|verlust"  # beside what is retained
+OTHER = r"leer|tara|tare|empty|brutto|gross|voll\b|full|\+|einwaage|loss|verlust|sieb(gewicht|masse)|" \
+        r"sieve (weight|mass)|(weight|mass) of (the )?sieve"  # beside what is retained
+MEAN = r"mitt(el|ler)|mean|median|average|nr\b|\bno\b|number|nummer|#"  # of a class, or a sieve's number
 PAN = r"boden|schale|pan\b|bottom|receiver|auffang"
 END = r"summe|gesamt|total|sum\b|verlust|loss|einwaage|\bd_?\d\d"
 LENGTHS = {"mm": MILLI, "µm": MICRO, "μm": MICRO, "um": MICRO, "micron": MICRO, "microns": MICRO}
@@ -106,16 +108,17 @@ class _Analysis:
             units = any(below) and all(re.fullmatch(UNITS, cell.strip().lower()) for cell in below)
             names = [" ".join(f"{name} {below[i] if units and i < len(below) else ''}".split())
                      for i, name in enumerate(line)]
-            meshes = [i for i, name in enumerate(names) if re.search(MESH, name.lower()) and not _is_amount(name)]
+            likely = [0 if _is_amount(name) or re.search(MEAN, name.lower()) else
+                      bool(re.search(MESH, name.lower())) + 2 * bool(re.search(LENGTH, name.lower())) for name in names]
+            meshes = [i for i, score in enumerate(likely) if score and score == max(likely)]
             others = [_Column(i, name, *_meaning(name)) for i, name in enumerate(names)
-                      if i not in meshes and name and (_is_amount(name) or name == wanted)]
+                      if name and (_is_amount(name) or name == wanted)]
             if wanted is not None:
                 others = [other for other in others if other.name == wanted]
-            with_unit = [i for i in meshes if re.search(LENGTH, names[i].lower())]
-            if others and len(with_unit) > 1:
-                self._refuse(names[with_unit[1]], f'is one of mesh widths, as "{names[with_unit[0]]}": which is meant?')
+            if others and len(meshes) > 1:
+                self._refuse(names[meshes[1]], f'is one of mesh widths, as "{names[meshes[0]]}": which is meant?')
             if meshes and others:
-                self.mesh, self.columns, self.width = (with_unit or meshes)[0], others, len(names)
+                self.mesh, self.columns, self.width = meshes[0], others, len(names)
                 self.mesh_name = names[self.mesh]
                 return k + 1 + units
         return None
@@ -135,16 +138,16 @@ class _Analysis:
                     return
                 continue
             first = next(filter(None, cells)).lower()
-            mesh = cells[self.mesh].lower() if self.mesh < len(cells) else ""
             cells += [""] * (self.width - len(cells))
-            is_text = not re.search(f"{PAN}|[0-9]", mesh or first) and not any(cells[c.index] for c in self.columns)
+            mesh = first if re.search(PAN, first) else cells[self.mesh].lower() or first
+            is_text = not re.search(f"{PAN}|[0-9]", mesh) and not any(cells[c.index] for c in self.columns)
             if re.search(END, first) or begun and is_text:
                 return
             if any(cells[self.width:]):
                 self._refuse(self.mesh_name, f"its line has {len(cells)} cells, that of the names has {self.width}",
                              at)
             begun = True
-            yield _Row(at, *self._class(at, mesh or first), cells)
+            yield _Row(at, *self._class(at, mesh), cells)
 
     def _class(self, line: int, cell: str) -> tuple[float, Optional[float]]:
         """@return the mesh width [m], 0: the pan; the width of the next wider mesh [m], where the row has it"""
@@ -260,7 +263,7 @@ class _Analysis:
                             + (f", as {_names(others)} say{'s' * (len(others) == 1)}" if others else "")
                             + f"; diameters {1e3 * widths[0]:g} to {1e3 * widths[-1]:g} mm"
                             + (f"; {pan:.3g} % pass the finest mesh and are taken to be as wide as it"
-                               if pan and smallest is None else "") + ("" if self.has_pan else "; there is no pan"))
+                               if pan and smallest is None else "") + ("; there is no pan" if column.kind == "retained" and not self.has_pan else ""))
         print(sizes.understood, file=sys.stderr)
         return sizes
 

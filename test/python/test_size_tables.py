@@ -32,6 +32,13 @@ Pan,,0.0,0.0,100.0,
 Total,,"1,204.6",100.0,,
 D50 (mm),0.72,,,,
 """
+# Of a mesh's number, mean size and tare the widths are told apart; the pan is named where the number stands.
+NUMBERED = """Sieve No.,Sieve opening in µm,Mean size (mm),Weight of sieve (g),Sieve + soil (g),Soil retained (g),Finer (%)
+4,4750,,500.1,500.1,0,100
+10,2000,3.4,480,530,50,75
+20,850,1.4,450,550,100,25
+Pan,-,,400,450,50,0
+"""
 REMARKS = "Sieve (mm);Mass retained (g);Remarks\n2;0;\n1;60;\n0,5;40;damp\nPan;0;\nTested by: Miller\n"
 CLASSES = "Korngröße\tAnteil\nµm\tGew.-%\n63 - 125\t20,0\n125 – 250\t80,0\n"
 PLAIN = "Maschenweite [mm];Rückstand [%]\n4;0\n2;40\n1;60\n"
@@ -73,6 +80,12 @@ def test_every_way_to_say_it_is_the_same(read, column, weights):
     text = f"Maschenweite [mm];{column}\n" + "".join(f"{width};{weight}\n" for width, weight in zip((4, 2, 1), weights))
     table = read(text + f"Auffangschale;{50 if column.startswith('Cum') else '-'}\n")
     assert table["radii"] == [0.0005, 0.001, 0.002] and table["weights"] == [0.0, 60.0, 40.0]
+
+
+def test_other_columns_are_left_alone(read):
+    table = read(NUMBERED)
+    assert table["radii"] == [0.000425, 0.001, 0.002375] and table["weights"] == [25.0, 50.0, 25.0]
+    assert '"Soil retained (g)", as "Finer (%)" says' in table.understood
 
 
 def test_classes_end_where_the_next_begins_and_units_may_have_a_line(read):
