@@ -258,12 +258,15 @@ class _Analysis:
             del shares[0], widths[0]
         sizes = SizeTable(distribution="table", radii=[round(0.5 * width, DIGITS) for width in widths],
                           weights=[round(share, 6) for share in shares], by="mass")
-        sizes.understood = (f'{self.path}: {meshes} meshes, "{self.mesh_name}"; {_KINDS[column.kind]} from '
-                            f'"{column.name}"'
-                            + (f", as {_names(others)} say{'s' * (len(others) == 1)}" if others else "")
-                            + f"; diameters {1e3 * widths[0]:g} to {1e3 * widths[-1]:g} mm"
-                            + (f"; {pan:.3g} % pass the finest mesh and are taken to be as wide as it"
-                               if pan and smallest is None else "") + ("; there is no pan" if column.kind == "retained" and not self.has_pan else ""))
+        said = [f'{self.path}: {meshes} meshes, "{self.mesh_name}"', f'{_KINDS[column.kind]} from "{column.name}"',
+                f"diameters {1e3 * widths[0]:g} to {1e3 * widths[-1]:g} mm"]
+        if others:
+            said[1] += f", as {_names(others)} say{'s' * (len(others) == 1)}"
+        if pan and smallest is None:
+            said.append(f"{pan:.3g} % pass the finest mesh and are taken to be as wide as it")
+        if column.kind == "retained" and not self.has_pan:
+            said.append("there is no pan")
+        sizes.understood = "; ".join(said)
         print(sizes.understood, file=sys.stderr)
         return sizes
 
