@@ -101,6 +101,11 @@ def test_the_ends_may_be_given(read):
     table = read(GERMAN.replace("4,000;412,3;412,3;0,0;100,0\n", ""), largest=0.005, smallest=0.001)
     assert table["radii"][0] == 0.0005 and table["radii"][-1] == 0.0025 and table["weights"][0] == 0.0
     assert read(REMARKS)["weights"] == [0.0, 40.0, 60.0]
+    fine = PLAIN.replace("40", "0").replace("60", "0") + "Boden;100\n"
+    with pytest.raises(ValueError, match=r'column "Rückstand \[%\]": all pass the finest mesh, 1 mm: how small'):
+        read(fine)
+    assert read(fine, smallest=0.0005) == {"distribution": "table", "radii": [0.00025, 0.0005], "weights": [0.0, 100.0],
+                                           "by": "mass"}
     for name, value in (("largest", 0.001), ("smallest", 0.003), ("smallest", 0), ("largest", float("nan")),
                         ("largest", "4")):
         with pytest.raises(ValueError, match=f"{name} = '?{value}'?: must be "):
@@ -145,7 +150,7 @@ def test_the_disks_of_a_scene_have_these_masses(read):
     (b"\xff\xfe\xd8\xd8", "lab.csv: no line"), (b"x" * 200_000, "lab.csv: is no table: field larger than"),
     (b";" * (1 << 21), "lab.csv: is larger than any sieve analysis"),
     ("Mesh (mm);Retained (g)\n" + "9" * 400 + ";1\n1;0\n", "is too large"), ("Mesh (mm);Retained (g)\n1,2,3;1\n1;0\n", "no number"),
-))
+), ids=lambda value: str(value)[:40])
 def test_what_is_not_clear_is_refused(read, text, message):
     with pytest.raises(ValueError, match=message) as error:
         read(text)
