@@ -33,8 +33,7 @@ CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale
 
 double CollapseWatch::floorOf(std::uint32_t level) const
 {
-  const double floor = std::ldexp(FIRST_FLOOR, static_cast<int>(level) - 1);
-  return std::max(std::min(floor, 1.0) * speed_scale_, contact_.min_rebound_speed);
+  return std::ldexp(FIRST_FLOOR * speed_scale_, static_cast<int>(level) - 1);
 }
 
 void CollapseWatch::collapse(std::uint32_t slot, double time)
@@ -66,10 +65,10 @@ std::string CollapseWatch::text() const
        << (first_stuck_ ? first_stuck_->time : counts_.first_time) << " s";
   text.precision(3);
   if (first_stuck_)
-    text << ", although its contacts below " << slow() << " m/s were lossless: it has no room";
+    text << ", although its slow contacts were lossless: it has no room";
   else if (!stops_)
-    text << ", the first of " << countText(counts_.count, "time") << "; its contacts below " << slow()
-         << " m/s were lossless for a while";
+    text << ", the first of " << countText(counts_.count, "time")
+         << "; its slow contacts were lossless for a while";
   else if (contact_.min_rebound_speed < floorOf(HELPFUL_LEVEL))
     text << "; a contact.min_rebound_speed of " << floorOf(HELPFUL_LEVEL)
          << " m/s or more may avoid it, or contact.on_collapse: rebound, if the disk has room";

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,10 +22,10 @@ namespace ratchet_sieve
 ///
 /// If the scene lets the run continue, the disk's slow contacts are lossless until a whole time scale has
 /// passed without a collapse. They lose no energy, which frees a wedged disk, and have a minimum rebound
-/// speed, which lets a resting disk hop. The minimum doubles with every consecutive collapse, up to the speed
-/// of a fall from a tooth's height. Faster contacts stay as they are: were they lossless, a disk without room
-/// would take energy from a moving base without bound. A disk that is not freed by that is stuck, and ends
-/// the run.
+/// speed, which lets a resting disk hop. The minimum doubles with every consecutive collapse. Slow is a
+/// contact at which the disk has no more energy than the heaviest one after a fall from a tooth's height:
+/// were all lossless, a disk without room would take energy from a moving base without bound. A disk that is
+/// not freed by that is stuck, and ends the run.
 class CollapseWatch
 {
 public:
@@ -73,11 +75,17 @@ public:
   /// Whether the disk's slow contacts lose no energy at present. Fast while there was no collapse at all.
   bool lossless(std::uint32_t slot) const { return counts_.count > 0 && disks_[slot].window.level > 0; }
 
-  /// Contacts that are slower are slow [m/s].
-  double slow() const { return speed_scale_; }
+  /// Contacts of the disk that are slower are slow [m/s].
+  double slow(std::uint32_t slot) const
+  {
+    return speed_scale_ * std::sqrt(heaviest_ / disks_[slot].properties.mass);
+  }
 
   /// Minimum rebound speed of a lossless disk [m/s].
-  double floorSpeed(std::uint32_t slot) const { return floorOf(disks_[slot].window.level); }
+  double floorSpeed(std::uint32_t slot) const
+  {
+    return std::max(std::min(floorOf(disks_[slot].window.level), slow(slot)), contact_.min_rebound_speed);
+  }
 
   /// Whether MAX_LEVEL consecutive collapses did not free the disk.
   bool stuck(std::uint32_t slot) const { return disks_[slot].window.level > MAX_LEVEL; }
@@ -90,14 +98,16 @@ public:
   /// One line with the figures, and with what can help. @pre counts().count > 0
   std::string text() const;
 
+  /// A disk of this mass is added [kg].
+  void added(double mass) { heaviest_ = std::max(heaviest_, mass); }
+
   /// The epoch's start [s].
   void setEpoch(double start) { epoch_start_ = start; }
 
-  void archive(StateArchive& state) { state(epoch_start_, counts_, first_stuck_, stops_); }
+  void archive(StateArchive& state) { state(epoch_start_, heaviest_, counts_, first_stuck_, stops_); }
 
 private:
-  /// After this many consecutive collapses, the last five of them at the largest minimum rebound speed, the
-  /// disk cannot be freed.
+  /// After this many consecutive collapses the disk cannot be freed.
   static constexpr std::uint32_t MAX_LEVEL = 16;
 
   /// A disk that collapses although its contacts are lossless.
@@ -119,6 +129,7 @@ private:
   double time_scale_;
   double speed_scale_;
   double epoch_start_ = 0.0;
+  double heaviest_ = 0.0;  ///< of all disks so far [kg]
   CollapseCounts counts_;
   std::optional<Stuck> first_stuck_;
   bool stops_ = false;

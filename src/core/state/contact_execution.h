@@ -46,7 +46,7 @@ private:
   /// @param speed of approach [m/s]
   bool lossless(std::uint32_t slot, double speed, double time) const
   {
-    return (system_.collapseWatch().lossless(slot) && speed < system_.collapseWatch().slow()) ||
+    return (system_.collapseWatch().lossless(slot) && speed < system_.collapseWatch().slow(slot)) ||
            (contact_times_ &&
             time - system_.record(slot).last_contact < system_.scene().contact.contact_duration);
   }

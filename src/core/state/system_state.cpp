@@ -136,6 +136,7 @@ std::uint32_t SystemState::add(Disk disk, const DiskProperties& properties, doub
   record.counted_from = epoch_.start + time;
   moveZero(disk, -time, scene_.gravity);
   record.fly(disk, time, scene_.gravity, -1.0);
+  collapse_watch_.added(properties.mass);
   observers_.entered(disk, time);
   const auto slot = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back(disk);
