@@ -102,7 +102,7 @@ private:
   /// Keeps every second sample. @pre the number of samples is odd, so that the last one stays
   void thin()
   {
-    for (std::size_t i = 0; 2 * i < kept_.size(); ++i)
+    for (std::size_t i = 1; 2 * i < kept_.size(); ++i)
       kept_[i] = std::move(kept_[2 * i]);
     kept_.resize((kept_.size() + 1) / 2);
     stride_ *= 2;
