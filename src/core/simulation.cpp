@@ -53,11 +53,7 @@ void forEachDiskState(const SystemState& system, double time, Visit&& visit)
 }  // namespace
 
 Simulation::Simulation(const SceneDefinition& scene, double start_time, const PourObserver& pour_observer)
-    : engine_(std::make_unique<Engine>(scene, planOf(scene), start_time, pour_observer))
-{
-}
-Simulation::Simulation(const SceneDefinition& scene, const Plan& plan)
-    : engine_(std::make_unique<Engine>(scene, plan, 0.0, PourObserver()))
+    : engine_(std::make_unique<Engine>(scene, start_time, pour_observer))
 {
 }
 Simulation::Simulation(const SceneDefinition& scene, std::string_view saved_state)

@@ -212,7 +212,7 @@ private:
 struct Followed
 {
   explicit Followed(const SceneDefinition& scene)
-      : engine(scene, planOf(scene), 0.0, {}),
+      : engine(scene, 0.0, {}),
         follower(engine.state().observers().add(std::make_unique<Follower>(engine.state())))
   {
   }

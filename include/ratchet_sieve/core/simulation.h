@@ -41,10 +41,6 @@ public:
   explicit Simulation(const SceneDefinition& scene, double start_time = 0.0,
                       const PourObserver& pour_observer = {});
 
-  /// Pours the disks of the scene into a run that computes more than the scene needs, to measure the cost.
-  /// @throws std::invalid_argument also if the plan does not cover the scene
-  Simulation(const SceneDefinition& scene, const Plan& plan);
-
   /// Resumes a saved run, bit for bit.
   /// @param scene the scene of the saved run; only `duration` and the requested accuracy may differ
   /// @throws StateError if the bytes are no state of such a scene

@@ -27,9 +27,8 @@ const Engine::MachineEvent Engine::MACHINE_EVENTS[] = {{&Engine::nextSettle, &En
                                                        {&Engine::nextFeed, &Engine::feed},
                                                        {&Engine::nextEpochEnd, &Engine::endEpoch}};
 
-Engine::Engine(const SceneDefinition& scene, const Plan& plan, double start_time,
-               const PourObserver& pour_observer)
-    : state_(scene, plan), random_(scene.seed), feed_random_(scene.seed ^ FEED_STREAM), start_(start_time)
+Engine::Engine(const SceneDefinition& scene, double start_time, const PourObserver& pour_observer)
+    : state_(scene), random_(scene.seed), feed_random_(scene.seed ^ FEED_STREAM), start_(start_time)
 {
   now_ = state_.startAt(start_);
   next_feed_ = start_;

@@ -140,7 +140,7 @@ public:
     threads_ = threads;
   }
 
-  StripCounts stripCounts() const override { return strip_counts_; }
+  std::uint64_t eventsInStrips() const override { return events_in_strips_; }
 
 private:
   std::size_t mostStrips() const { return PairStrips::mostStrips(cells_, settings_); }
@@ -172,8 +172,7 @@ private:
       pool_ = std::make_unique<WorkerPool>(threads);
     const std::size_t workers = std::max<std::size_t>(threads, 1);
     const std::size_t strips = workers * ((disks - 1) / (workers * settings_.disks_per_strip) + 1);
-    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, mostStrips()), settings_, pool_.get(),
-                    strip_counts_);
+    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, mostStrips()), settings_, pool_.get());
     strips_->setWindows(window_length_, pace_);
     return true;
   }
@@ -183,7 +182,9 @@ private:
   bool advanceStrips(double time, double& end)
   {
     const bool advanced = strips_->advance(reached_, time);
-    events_ += strips_->takeEvents();
+    const std::uint64_t events = strips_->takeEvents();
+    events_ += events;
+    events_in_strips_ += events;
     window_length_ = strips_->windowLength();
     pace_ = strips_->pace();
     if (advanced)
@@ -298,7 +299,7 @@ private:
   StripSettings settings_;
   std::unique_ptr<WorkerPool> pool_;  ///< null if one thread is enough
   std::optional<PairStrips> strips_;  ///< while these have the events, not the queue
-  StripCounts strip_counts_;
+  std::uint64_t events_in_strips_ = 0;
   double stride_ = 0.0;         ///< mean of the last [s]
   double window_length_ = 0.0;  ///< of the strips so far [s]
   double pace_ = 1.0;           ///< events in a window, as a share of the settings

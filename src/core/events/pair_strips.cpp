@@ -44,16 +44,14 @@ std::size_t PairStrips::mostStrips(const DiskCells& cells, const StripSettings& 
   return cells.seesNextColumnOnly() ? static_cast<std::size_t>(std::max(most, 1)) : 1;
 }
 
-PairStrips::PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool,
-                       StripCounts& counts)
+PairStrips::PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool)
     : layer_(layer),
       settings_(settings),
       pool_(pool),
       ring_(layer.state.scene().boundary == Boundary::PERIODIC),
       home_(layer.predictions.size()),
       strip_places_(layer.predictions.size(), SlotQueue::NONE),
-      cut_places_(layer.predictions.size(), SlotQueue::NONE),
-      counts_(counts)
+      cut_places_(layer.predictions.size(), SlotQueue::NONE)
 {
   cutIntoStrips(count);
   const std::size_t cuts = ring_ ? count : count - 1;
@@ -120,7 +118,6 @@ bool PairStrips::advance(double now, double time)
   start_ = now;
   end_ = std::min(time, now + length_);
   const std::size_t workers = pool_ != nullptr ? std::min(pool_->workers(), strips_.size()) : 1;
-  meeting_.assign(workers, 0.0);
   SpinBarrier barrier(workers);
   if (workers == 1)
     work(0, 1, barrier, time);
@@ -131,8 +128,6 @@ bool PairStrips::advance(double now, double time)
           if (worker < workers)
             work(worker, workers, barrier, time);
         });
-  const TimeSpent spent(counts_.alone);
-  counts_.meeting = std::accumulate(meeting_.begin(), meeting_.end(), counts_.meeting);
   if (error_)
     std::rethrow_exception(error_);
   if (!failed_)
@@ -151,26 +146,18 @@ void PairStrips::work(std::size_t worker, std::size_t workers, SpinBarrier& barr
     for (std::size_t k = worker * count / workers; k < (worker + 1) * count / workers; ++k)
       each(k);
   };
-  double meeting = 0.0;
-  double copying = 0.0;
-  const auto meet = [&](auto&& complete)
-  {
-    const TimeSpent spent(meeting);
-    barrier.wait(complete);
-  };
   while (!done_)
   {
     if (copy_is_due_)
     {
-      const TimeSpent spent(copying);
       guarded([&] { share(COPY_PARTS, [&](std::size_t part) { copy(part); }); });
       barrier.wait([&] { copy_is_due_ = false; });
     }
     guarded([&] { share(strips_.size(), [&](std::size_t s) { advance(s); }); });
-    meet([] {});
+    barrier.wait([] {});
     if (!failed_)
       guarded([&] { share(cutting_.size(), [&](std::size_t c) { advance(*cutting_[c]); }); });
-    meet(
+    barrier.wait(
         [&]
         {
           if (!failed_)
@@ -178,9 +165,6 @@ void PairStrips::work(std::size_t worker, std::size_t workers, SpinBarrier& barr
           done_ = done_ || failed_;
         });
   }
-  meeting_[worker] = meeting;
-  if (worker == 0)
-    counts_.alone += copying;
 }
 
 /// An exception must not keep a thread from the barrier.
@@ -312,34 +296,14 @@ void PairStrips::advance(Cut& cut)
       });
 }
 
-/// The events of the last window in these regions, which one thread each would have executed.
-template <typename Regions>
-std::uint64_t PairStrips::countEvents(const Regions& regions)
-{
-  std::uint64_t sum = 0;
-  std::uint64_t most = 0;
-  for (const auto& region : regions)
-  {
-    const std::uint64_t found =
-        region->events.events() - std::exchange(region->counted, region->events.events());
-    sum += found;
-    most = std::max(most, found);
-  }
-  counts_.critical_events += most;
-  return sum;
-}
-
 /// By one thread, between windows.
 void PairStrips::finishWindow(double time)
 {
-  const TimeSpent spent(counts_.alone);
   moveDisks();
-  const std::uint64_t events = countEvents(strips_) + countEvents(cutting_);
-  ++counts_.windows;
-  counts_.events += events;
-  events_to_commit_ += events;
+  std::uint64_t all = 0;
+  forEachRegion([&](const Region& region) { all += region.events.events(); });
+  const auto found = static_cast<double>(all - std::exchange(events_to_commit_, all));
   const double wanted = pace_ * settings_.events_per_column * layer_.cells.grid().columns();
-  const auto found = static_cast<double>(events);
   // Not from a window that ends early.
   if (const double whole = (end_ - start_) / length_; whole > 0.5)
     setWindows(length_ * std::clamp(whole * wanted / std::max(found, 1.0), 0.5, 2.0), pace_);
@@ -391,17 +355,13 @@ void PairStrips::restore()
 /// Hands over what the regions have counted and observed.
 void PairStrips::commit()
 {
-  const auto hand_over = [&](Region& region)
-  {
-    events_ += region.events.takeEvents();
-    region.counted = 0;
-    layer_.cells.countCrossings(region.events.takeCrossings());
-    layer_.state.merge(std::exchange(region.share, layer_.state.observers().buffer()));
-  };
-  for (const auto& strip : strips_)
-    hand_over(*strip);
-  for (const auto& cut : cutting_)
-    hand_over(*cut);
+  forEachRegion(
+      [&](Region& region)
+      {
+        events_ += region.events.takeEvents();
+        layer_.cells.countCrossings(region.events.takeCrossings());
+        layer_.state.merge(std::exchange(region.share, layer_.state.observers().buffer()));
+      });
   events_to_commit_ = 0;
   pace_ = std::min(FASTER * pace_, 1.0);
 }

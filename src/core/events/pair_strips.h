@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -50,20 +49,6 @@ private:
   alignas(64) std::atomic<std::size_t> round_{0};
 };
 
-/// Adds the time until it is destroyed to a sum [s].
-class TimeSpent
-{
-public:
-  explicit TimeSpent(double& sum) : sum_(sum), start_(std::chrono::steady_clock::now()) {}
-  ~TimeSpent() { sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-  TimeSpent(const TimeSpent&) = delete;
-  TimeSpent& operator=(const TimeSpent&) = delete;
-
-private:
-  double& sum_;
-  std::chrono::steady_clock::time_point start_;
-};
-
 /// Advances a layer strip by strip, on several threads, with the bits of a single queue.
 ///
 /// The columns of cells are cut into strips. Time is cut into windows of a few events per column. In a
@@ -82,9 +67,7 @@ public:
   /// Cuts where each strip has as many disks.
   /// @param layer outlives this; no grid is built while it exists
   /// @param count of strips, from 2 to mostStrips(); @param pool null: one thread
-  /// @param counts outlives this
-  PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool,
-             StripCounts& counts);
+  PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool);
 
   static std::size_t mostStrips(const DiskCells& cells, const StripSettings& settings);
 
@@ -122,7 +105,6 @@ private:
     ThreadBuffer share;
     SlotQueue queue;
     PairEvents<SlotQueue> events;
-    std::uint64_t counted = 0;  ///< events up to the last window
   };
 
   struct Strip : Region
@@ -159,8 +141,14 @@ private:
   std::int32_t placeIn(const Region& region, std::uint32_t slot) const;
   double nextTime(std::uint32_t slot) const;
   void finishWindow(double time);
-  template <typename Regions>
-  std::uint64_t countEvents(const Regions& regions);
+  template <typename Visit>
+  void forEachRegion(Visit&& visit)
+  {
+    for (const auto& strip : strips_)
+      visit(*strip);
+    for (const auto& cut : cutting_)
+      visit(*cut);
+  }
   void moveDisks();
   void copy(std::size_t part);
   void restore();
@@ -179,7 +167,6 @@ private:
   std::vector<std::unique_ptr<Cut>> cutting_;  ///< each at the right end of the strip of the same number
   std::vector<double> touched_;                ///< per column, with two more at each end: last time [s]
 
-  StripCounts& counts_;
   double length_ = 0.0;  ///< of a window [s]
   double pace_ = 1.0;
   double start_ = 0.0;  ///< of the present window [s]
@@ -188,7 +175,6 @@ private:
   bool copy_is_due_ = false;
   std::atomic<bool> failed_{false};
   std::exception_ptr error_;
-  std::vector<double> meeting_;         ///< per thread, see StripCounts
   std::uint64_t events_to_commit_ = 0;  ///< up to the last window
   std::uint64_t events_ = 0;
   std::uint64_t copies_ = 0;

@@ -73,14 +73,8 @@ struct BaseEvent
 class ContactSearch
 {
 public:
-  /// @param search_above_band steps even above the height that the base reaches; see Plan
-  ContactSearch(const BaseShape& shape, const BaseMotion& motion, double gravity, double time_resolution,
-                bool search_above_band = false)
-      : shape_(shape),
-        motion_(motion),
-        gravity_(gravity),
-        time_resolution_(time_resolution),
-        search_above_band_(search_above_band)
+  ContactSearch(const BaseShape& shape, const BaseMotion& motion, double gravity, double time_resolution)
+      : shape_(shape), motion_(motion), gravity_(gravity), time_resolution_(time_resolution)
   {
   }
 
@@ -140,7 +134,6 @@ private:
   const BaseMotion& motion_;
   double gravity_;
   double time_resolution_;
-  bool search_above_band_;
 };
 
 }  // namespace ratchet_sieve

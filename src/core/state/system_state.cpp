@@ -64,20 +64,13 @@ double latticeTurn(const SceneDefinition& scene, double lattice_diameter, bool w
   return wide ? LATTICE_MARGIN_OF_WIDE * diameters
               : std::min(std::sqrt(2.0 * LATTICE_MARGIN * diameters), LATTICE_ROWS * diameters);
 }
-
-const Plan& covering(const Plan& plan, const SceneDefinition& scene)
-{
-  if (!covers(plan, scene))
-    throw std::invalid_argument("the plan does not cover the scene: " + planText(plan));
-  return plan;
-}
 }  // namespace
 
-SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
+SystemState::SystemState(const SceneDefinition& scene)
     : scene_(scene),
       sizes_(scene.species.begin(), scene.species.end()),
       size_classes_(ratchet_sieve::sizeClasses(scene)),
-      plan_(covering(plan, scene)),
+      plan_(planOf(scene)),
       shape_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
       lattice_diameter_(ratchet_sieve::latticeDiameter(scene, largest_diameter_)),
@@ -85,8 +78,8 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       time_scale_(ratchet_sieve::timeScale(scene)),
       epoch_{0.0, std::min(epochLength(time_scale_),
                            longestFall(scene.gravity, ratchet_sieve::smallestRadius(scene)))},
-      motion_(scene.base, 2.0 * lattice_turn_, plan.drive && !planOf(scene).drive),
-      search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
+      motion_(scene.base, 2.0 * lattice_turn_),
+      search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length)),
       pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), ids_),
       observers_(*this)

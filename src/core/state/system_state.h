@@ -36,10 +36,7 @@ struct Epoch
 class SystemState
 {
 public:
-  explicit SystemState(const SceneDefinition& scene) : SystemState(scene, planOf(scene)) {}
-
-  /// @throws std::invalid_argument unless the plan covers the scene
-  SystemState(const SceneDefinition& scene, const Plan& plan);
+  explicit SystemState(const SceneDefinition& scene);
   SystemState(const SystemState&) = delete;
   SystemState& operator=(const SystemState&) = delete;
 
