@@ -258,9 +258,9 @@ double Simulation::largestEnergy() const
   return engine_->state().observers().energyWatch().largest();
 }
 
-std::string Simulation::energyText() const
+const std::optional<LargeEnergy>& Simulation::implausibleEnergy() const
 {
-  return engine_->state().observers().energyWatch().text();
+  return engine_->state().observers().energyWatch().first();
 }
 
 std::uint64_t Simulation::pushedOut() const

@@ -1,6 +1,5 @@
 #include "ratchet_sieve/core/plan.h"
 
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -90,7 +89,6 @@ TEST(Plan, HasAnOrbitAndNoSimdWhereTheDriveIsMoreThanASine)
     EXPECT_TRUE(planOf(driven).orbit && !planOf(driven).simd);
     driven.base.amplitude = 0.0;
     EXPECT_TRUE(planOf(driven).drive);
-    EXPECT_NE(planText(planOf(driven)).find("drive with a horizontal part or harmonics"), std::string::npos);
   }
 }
 
@@ -105,30 +103,6 @@ TEST(Plan, HasSimdOnlyForSingleDisksOnAPeriodicBaseWithoutContactTimes)
   others[2].contact.contact_duration = 1e-4;
   for (const SceneDefinition& scene : others)
     EXPECT_FALSE(planOf(scene).simd);
-}
-
-TEST(Plan, SaysWhatItIs)
-{
-  const std::string no_simd =
-      ", no SIMD (only for independent disks without contact times on a periodic sawtooth with a vertical "
-      "sine "
-      "drive)";
-  EXPECT_EQ(
-      planText(planOf(smallMixture())),
-      "pairs, spin, drive, no contact times (contact_duration is 0), no base search above the base's reach" +
-          no_simd);
-  EXPECT_EQ(planText(planOf(test::singleParticles(5))),
-            "no pairs (disks do not collide with each other), spin, drive, no contact times "
-            "(contact_duration is 0), no "
-            "base search above the base's reach, SIMD");
-  SceneDefinition scene = smooth(test::singleParticles(5));
-  scene.base.amplitude = 0.0;
-  scene.contact.contact_duration = 1e-4;
-  EXPECT_EQ(planText(planOf(scene)),
-            "no pairs (disks do not collide with each other), no spin (no friction turns a disk), no drive "
-            "(the base stands "
-            "still), contact times, no base search above the base's reach" +
-                no_simd);
 }
 
 void runThrough(Simulation& simulation)

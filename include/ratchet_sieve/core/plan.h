@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "ratchet_sieve/core/definition.h"
 
 namespace ratchet_sieve
@@ -28,8 +26,5 @@ struct Plan
 /// The cheapest plan that gives the scene's results. A setpoint that starts or turns a standing base is
 /// followed even if the plan has no `drive`: BaseMotion checks for that in each segment.
 Plan planOf(const SceneDefinition& scene);
-
-/// One line for the user: which parts are computed, which are not, and why.
-std::string planText(const Plan& plan);
 
 }  // namespace ratchet_sieve

@@ -127,9 +127,8 @@ public:
   bool stalled() const;  ///< whether a collapse has ended the run
   const CollapseCounts& collapses() const;
   std::string collapseText() const;  ///< one line with the figures; empty without a collapse
-  double largestEnergy() const;      ///< largest energy of a disk at the end of an epoch, see EnergyWatch
-  std::string energyText()
-      const;  ///< one line with the figures; empty unless a disk's energy is implausibly large
+  double largestEnergy() const;      ///< of a disk at the end of an epoch, in scales of the machine
+  const std::optional<LargeEnergy>& implausibleEnergy() const;  ///< of the first disk that had one
   double maxOverlap() const;  ///< largest overlap so far, at a collision or in auditOverlaps() [m]
 
   /// How often a disk was found below the base's surface and moved out; only with Method::STEPS.

@@ -5,7 +5,6 @@
 #include <string>
 #include <thread>
 
-#include "ratchet_sieve/core/count_text.h"
 #include "simd/simd_batch.h"
 #include "state/placement.h"
 
@@ -75,8 +74,8 @@ void Engine::advanceTo(double time)
 void Engine::pour(std::size_t species, std::size_t count, const PourObserver& observer)
 {
   if (const std::size_t present = state_.activeCount(); present > MOST_DISKS || count > MOST_DISKS - present)
-    throw std::invalid_argument("a pour of " + countText(count, "disk") + " onto " + std::to_string(present) +
-                                ": there must be at most " + std::to_string(MOST_DISKS) + " in total");
+    throw std::invalid_argument("a pour of " + std::to_string(count) + " onto " + std::to_string(present) +
+                                " disks: there must be at most " + std::to_string(MOST_DISKS) + " in total");
   pour(species, count, state_.scene().pour.stretch, observer);
 }
 

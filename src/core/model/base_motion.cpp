@@ -271,9 +271,4 @@ void BaseMotion::noteDerived()
     standstill_ += orbitScale(amplitude_.start) * orbit_.at(turns_).displacement;
 }
 
-DriveState driveStateAt(const BaseDefinition& base, double time)
-{
-  return BaseMotion(base).state(time);
-}
-
 }  // namespace ratchet_sieve

@@ -51,21 +51,4 @@ Plan planOf(const SceneDefinition& scene)
   return plan;
 }
 
-std::string planText(const Plan& plan)
-{
-  std::string line = plan.pairs ? "pairs" : "no pairs (disks do not collide with each other)";
-  if (plan.steps)
-    line += ", by steps (contacts that begin and end within a step are missed)";
-  line += plan.spin ? ", spin" : ", no spin (no friction turns a disk)";
-  line += plan.drive ? ", drive" : ", no drive (the base stands still)";
-  if (plan.orbit)
-    line += " with a horizontal part or harmonics, or along the base's axes";
-  line += plan.contact_times ? ", contact times" : ", no contact times (contact_duration is 0)";
-  line += ", no base search above the base's reach";
-  line += plan.simd ? ", SIMD"
-                    : ", no SIMD (only for independent disks without contact times on a periodic sawtooth "
-                      "with a vertical sine drive)";
-  return line;
-}
-
 }  // namespace ratchet_sieve

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "model/orbit.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/layer.h"
 
 namespace ratchet_sieve
 {

@@ -5,8 +5,6 @@
 #include <sstream>
 #include <tuple>
 
-#include "ratchet_sieve/core/count_text.h"
-
 namespace ratchet_sieve
 {
 namespace
@@ -65,8 +63,7 @@ std::string CollapseWatch::text() const
     text << "; a larger contact.min_rebound_speed may avoid it; contact.on_collapse: rebound lets "
             "the run continue";
   else
-    text << ", the first of " << countText(counts_.count, "time")
-         << "; its contacts were lossless for a while";
+    text << "; its contacts were lossless for a while; collapses so far: " << counts_.count;
   return text.str();
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
 
 #include "state/observer.h"
 
@@ -32,31 +30,19 @@ public:
   /// The largest energy of a disk so far, in scales.
   double largest() const { return largest_; }
 
-  /// One line with the figures; empty while all energies are below the limit.
-  std::string text() const;
+  /// The first disk above the limit.
+  const std::optional<LargeEnergy>& first() const { return first_; }
 
   void archive(StateArchive& state) override { state(fastest_base_, largest_, first_); }
 
 private:
-  /// The first disk above the limit.
-  struct First
-  {
-    double time;    ///< of the run [s]
-    double energy;  ///< [J]
-    double height;  ///< in the world [m]
-    double scales;
-    std::uint32_t disk;
-
-    void archive(StateArchive& state) { state(time, energy, height, scales, disk); }
-  };
-
   const SystemState& system_;
   double highest_;             ///< H [m]
   double start_speed_;         ///< v [m/s]
   double gravity_;             ///< [m/s^2]
   double fastest_base_ = 0.0;  ///< V, the largest speed of the base so far [m/s]
   double largest_ = 0.0;
-  std::optional<First> first_;
+  std::optional<LargeEnergy> first_;
 };
 
 }  // namespace ratchet_sieve

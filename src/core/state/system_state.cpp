@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "search/size_levels.h"
 
