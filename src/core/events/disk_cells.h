@@ -23,8 +23,7 @@ namespace ratchet_sieve
 /// where the images rise or sink by several rows.
 ///
 /// The cells are sized for a vibrated layer. In a dilute, fast system most events would be cell crossings. So
-/// at the end of an epoch the grid is rebuilt if LayoutCosts finds another layout cheaper for the present
-/// disks.
+/// at the end of an epoch the grid is rebuilt if another CellLayout is cheaper for the present disks.
 class DiskCells
 {
 public:
@@ -103,7 +102,7 @@ public:
   bool cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* share);
 
   /// To be called after crossings, with their number.
-  void countCrossings(std::uint64_t crossings) { fit_.crossed(crossings); }
+  void countCrossings(std::uint64_t crossings) { layout_.countCrossings(crossings); }
 
   /// The cells of the disks, without what decides on the grid.
   struct Snapshot
@@ -158,7 +157,7 @@ private:
     double least_side;  ///< smallest allowed side of a cell [m]
   };
   Sizes sizes() const;
-  CellLayout layerLayout(const Sizes& sizes) const;
+  CellLayout::Size sizeForLayer(const Sizes& sizes) const;
   std::int32_t laps() const;
   CellGrid::Cell cellNow(std::uint32_t slot, double time) const;
 
@@ -177,7 +176,7 @@ private:
   SystemState& state_;
   FrameOfBase frame_;        ///< of the cells: see makeGrid()
   double above_base_ = 0.0;  ///< from this height over its lowest corner on, no disk reaches the base [m]
-  CellFit fit_;
+  CellLayout layout_;
   std::size_t capacity_;
   std::size_t built_for_;             ///< number of disks when the grid was built
   bool lattice_turns_ = false;        ///< whether the grid was built on a periodic base that turns
