@@ -22,7 +22,6 @@ template <typename Visit>
 void forEachDiskState(const SystemState& system, double time, Visit&& visit)
 {
   const FrameOfBase base = system.motion().at(time);
-  const TrajectorySums& trajectories = system.observers().trajectories();
   // While the base turns all disks are between its ends, because they are wrapped when they pass an end.
   const bool wrapped = system.scene().boundary != Boundary::PERIODIC || system.motion().turning();
   const double gravity = system.scene().gravity;
@@ -31,6 +30,7 @@ void forEachDiskState(const SystemState& system, double time, Visit&& visit)
     if (!system.active(slot))
       continue;
     const Disk& disk = system.disk(slot);
+    const DiskRecord& record = system.record(slot);
     const Kinematics now = kinematicsAt(disk, time, gravity);
     const Eigen::Vector2d position = vectorOf(now.position);
     const double widths = wrapped ? 0.0 : system.widthsOutside(base.positionInto(position).x());
@@ -39,13 +39,13 @@ void forEachDiskState(const SystemState& system, double time, Visit&& visit)
     state.id = system.id(slot);
     state.species = disk.species;
     state.radius = disk.radius;
-    state.mass = system.properties(slot).mass;
-    state.displacement = trajectories.displacement(slot, position.x());
+    state.mass = record.properties.mass;
+    state.displacement = record.displacement(position.x());
     state.x = position.x() + image.shift.x();
     state.y = position.y() + image.shift.y();
     state.vx = now.velocity[0] + image.velocity.x();
     state.vy = now.velocity[1] + image.velocity.y();
-    state.angle = wrappedAngle(trajectories.angle(slot, disk, time));
+    state.angle = wrappedAngle(record.angleAt(disk, time));
     state.spin = disk.spin;
     visit(state);
   }
@@ -219,8 +219,7 @@ std::vector<std::optional<double>> Simulation::granularTemperatures() const
 
 Eigen::Vector2d Simulation::baseImpulse() const
 {
-  return engine_->settled() ? engine_->state().observers().impulses().total()
-                            : Eigen::Vector2d(Eigen::Vector2d::Zero());
+  return engine_->settled() ? engine_->state().baseImpulse() : Eigen::Vector2d(Eigen::Vector2d::Zero());
 }
 
 double Simulation::energy() const

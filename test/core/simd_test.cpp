@@ -222,7 +222,7 @@ TEST(Simd, HandOverTheSameOutcomesAsTheMachine)
         const ContactOutcome outcome = bench.execution.collideWithBase(0, event.feature, event.time, base);
         RC_ASSERT(outcome.closed);
         expectSameOutcome(outcomeOf(batch_scene, batch, 0, 0, 0), outcome);
-        const Eigen::Vector2d impulse = bench.state.observers().impulses().of(0);
+        const Eigen::Vector2d impulse = bench.state.record(0).base_impulse;
         RC_ASSERT((Eigen::Vector2d(batch.impulse_x[0], batch.impulse_y[0]) - impulse).norm() < 1e-11);
       }));
 }

@@ -147,7 +147,7 @@ std::optional<double> Engine::nextSettle() const
 void Engine::settle()
 {
   settled_ = true;
-  state_.observers().restart(now_);
+  state_.restart(now_);
 }
 
 std::optional<double> Engine::nextBlockEnd() const

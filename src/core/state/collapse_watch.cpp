@@ -15,8 +15,9 @@ constexpr double FIRST_FLOOR = 1e-3;
 }  // namespace
 
 CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale,
-                             const DiskIds& ids)
+                             std::vector<DiskRecord>& disks, const DiskIds& ids)
     : contact_(contact),
+      disks_(disks),
       ids_(ids),
       limit_(static_cast<std::uint32_t>(contact.collapse_events)),
       time_scale_(time_scale),
@@ -26,13 +27,14 @@ CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale
 
 double CollapseWatch::floorSpeed(std::uint32_t slot) const
 {
-  const double floor = std::ldexp(FIRST_FLOOR * speed_scale_, static_cast<int>(disks_[slot].level) - 1);
+  const double floor =
+      std::ldexp(FIRST_FLOOR * speed_scale_, static_cast<int>(disks_[slot].window.level) - 1);
   return std::max(floor, contact_.min_rebound_speed);
 }
 
 void CollapseWatch::collapse(std::uint32_t slot, double time)
 {
-  Window& window = disks_[slot];
+  CollapseWindow& window = disks_[slot].window;
   window = {time + time_scale_, 0, window.level + 1};
   // Independent disks are advanced one by one, in any order. The first collapse is the earliest; at equal
   // times, the one with the smallest id.

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "model/processor.h"
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/observation.h"
+#include "state/disk_record.h"
 #include "state/observer.h"
 
 namespace ratchet_sieve
@@ -25,30 +25,15 @@ namespace ratchet_sieve
 class CollapseWatch
 {
 public:
-  /// Counts the events of one disk in its present time window.
-  struct Window
-  {
-    double end = 0.0;  ///< local to the epoch [s]
-    std::uint32_t events = 0;
-    std::uint32_t level = 0;  ///< consecutive collapses
-
-    void archive(StateArchive& state) { state(end, events, level); }
-  };
-
   /// @param time_scale of the machine [s]; @param speed_scale of a fall from a tooth's height [m/s]
-  /// @param ids for messages; outlives this
-  CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale, const DiskIds& ids);
-
-  void reserve(std::size_t count) { disks_.reserve(count); }
-  void added() { disks_.emplace_back(); }
-
-  /// Keeps the disks at these slots, which become consecutive, and forgets the others.
-  void keep(const std::vector<std::uint32_t>& slots) { keepSlots(disks_, slots); }
+  /// @param disks with their windows, by slot; @param ids for messages; both outlive this
+  CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale,
+                std::vector<DiskRecord>& disks, const DiskIds& ids);
 
   /// Counts an event of a disk. @return whether it exceeds the limit; the disk is lossless from then on
   bool count(std::uint32_t slot, double time)
   {
-    Window& window = disks_[slot];
+    CollapseWindow& window = disks_[slot].window;
     if (time >= window.end)
       window = {time + time_scale_, 0, 0};
     if (++window.events <= limit_)
@@ -62,40 +47,35 @@ public:
   /// @return whether it was counted
   bool countOrdinary(std::uint32_t slot, double time)
   {
-    Window window = disks_[slot];
+    CollapseWindow window = disks_[slot].window;
     if (lossless(slot))
       return false;
     if (time >= window.end)
       window = {time + time_scale_, 0, 0};
     if (++window.events > limit_)
       return false;
-    disks_[slot] = window;
+    disks_[slot].window = window;
     return true;
   }
 
   /// Whether an event of the disk at this time would end the run.
   bool endsAt(std::uint32_t slot, double time) const
   {
-    const Window& window = disks_[slot];
+    const CollapseWindow& window = disks_[slot].window;
     return time < window.end && window.events >= limit_ &&
            (contact_.on_collapse == CollapseAction::STOP || window.level >= MAX_LEVEL);
   }
 
-  /// The counts of all disks. Without a collapse in between, copies can be restored.
-  const std::vector<Window>& windows() const { return disks_; }
-  std::vector<Window>& windows() { return disks_; }
-
   void setCounts(const CollapseCounts& counts) { counts_ = counts; }
-  void prefetchWindow(std::uint32_t slot) const { prefetch(disks_[slot]); }
 
   /// Whether the disk's contacts lose no energy at present. Fast while there was no collapse at all.
-  bool lossless(std::uint32_t slot) const { return counts_.count > 0 && disks_[slot].level > 0; }
+  bool lossless(std::uint32_t slot) const { return counts_.count > 0 && disks_[slot].window.level > 0; }
 
   /// Minimum rebound speed of a lossless disk [m/s].
   double floorSpeed(std::uint32_t slot) const;
 
   /// Whether MAX_LEVEL consecutive collapses did not free the disk.
-  bool stuck(std::uint32_t slot) const { return disks_[slot].level > MAX_LEVEL; }
+  bool stuck(std::uint32_t slot) const { return disks_[slot].window.level > MAX_LEVEL; }
 
   /// Whether the run must end: by the scene's `on_collapse`, or because a disk is stuck.
   bool stops() const { return stops_; }
@@ -105,15 +85,10 @@ public:
   /// One line with the figures. @pre counts().count > 0
   std::string text() const;
 
-  /// Moves the zero of time. @param epoch_start the new one [s]
-  void rebase(double length, double epoch_start)
-  {
-    epoch_start_ = epoch_start;
-    for (Window& window : disks_)
-      window.end -= length;
-  }
+  /// The epoch's start [s].
+  void setEpoch(double start) { epoch_start_ = start; }
 
-  void archive(StateArchive& state) { state(epoch_start_, disks_, counts_, first_stuck_, stops_); }
+  void archive(StateArchive& state) { state(epoch_start_, counts_, first_stuck_, stops_); }
 
 private:
   /// After this many consecutive collapses the minimum rebound speed exceeds any speed of the machine: the
@@ -132,12 +107,12 @@ private:
   void collapse(std::uint32_t slot, double time);
 
   ContactDefinition contact_;
+  std::vector<DiskRecord>& disks_;
   const DiskIds& ids_;
   std::uint32_t limit_;
   double time_scale_;
   double speed_scale_;
   double epoch_start_ = 0.0;
-  std::vector<Window> disks_;
   CollapseCounts counts_;
   std::optional<Stuck> first_stuck_;
   bool stops_ = false;

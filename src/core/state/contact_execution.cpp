@@ -16,7 +16,11 @@ double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 }  // namespace
 
 ContactExecution::ContactExecution(SystemState& system, ThreadBuffer* share)
-    : system_(system), share_(share), law_(system.scene().contact), spin_(system.plan().spin)
+    : system_(system),
+      share_(share),
+      law_(system.scene().contact),
+      spin_(system.plan().spin),
+      contact_times_(system.plan().contact_times)
 {
   const std::vector<SpeciesDefinition>& species = system.scene().species;
   for (std::size_t i = 0; i < species.size(); ++i)
@@ -59,6 +63,7 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
     respond(outcome, coefficients, contactMasses(inertia(slot)), tangential_velocity,
             reboundFloor(slot, outcome.lossless));
     push(slot, outcome, 1.0);
+    system_.record(slot).base_impulse += impulseOf(outcome);
   }
   system_.observers().collided(outcome, share_);
   return outcome;
@@ -124,6 +129,8 @@ void ContactExecution::push(std::uint32_t slot, const ContactOutcome& contact, d
   const Eigen::Vector2d velocity = sign / properties.mass * impulseOf(contact);
   system_.redirect(slot, {Two{}, twoOf(velocity), -properties.spin_response * contact.tangential_impulse},
                    contact.time, share_);
+  if (contact_times_)
+    system_.record(slot).last_contact = contact.time;
 }
 
 /// v_min does not apply to lossless contacts, because it would add energy. For a disk that is lossless

@@ -46,7 +46,8 @@ private:
   bool lossless(std::uint32_t slot, double time) const
   {
     return system_.collapseWatch().lossless(slot) ||
-           system_.observers().contactTimes().within(system_.scene().contact.contact_duration, slot, time);
+           (contact_times_ &&
+            time - system_.record(slot).last_contact < system_.scene().contact.contact_duration);
   }
   double reboundFloor(std::uint32_t slot, bool no_loss) const;
   void respond(ContactOutcome& outcome, const ContactCoefficients& coefficients, const ContactMasses& masses,
@@ -57,6 +58,7 @@ private:
   ThreadBuffer* share_;
   CollisionLaw law_;
   bool spin_;
+  bool contact_times_;
 
   std::vector<ContactCoefficients> pair_coefficients_;  ///< per (species, species)
   std::vector<double> levers_;                          ///< per species; see Inertia

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "model/base_shape.h"
@@ -61,110 +60,6 @@ public:
 
 private:
   std::vector<std::uint64_t> contacts_;
-};
-
-/// The time of each disk's last contact, for the contact duration t_c. Empty if the plan has no contact
-/// times.
-class ContactTimes final : public Observer
-{
-public:
-  explicit ContactTimes(bool kept) : kept_(kept) {}
-
-  void entered(const Disk& /*disk*/, double /*time*/) override
-  {
-    if (kept_)
-      times_.push_back(-std::numeric_limits<double>::infinity());
-  }
-
-  void collided(const ContactOutcome& outcome) override
-  {
-    if (!kept_)
-      return;
-    times_[outcome.i] = outcome.time;
-    if (outcome.j != ContactOutcome::BASE)
-      times_[outcome.j] = outcome.time;
-  }
-
-  /// Of one disk's last contact; 0 if there are no contact times.
-  double of(std::uint32_t slot) const { return kept_ ? times_[slot] : 0.0; }
-  void set(std::uint32_t slot, double time)
-  {
-    if (kept_)
-      times_[slot] = time;
-  }
-
-  /// Whether the disk's last contact was less than `duration` ago.
-  bool within(double duration, std::uint32_t slot, double time) const
-  {
-    return kept_ && time - times_[slot] < duration;
-  }
-
-  void compact(const Compaction& compaction) override
-  {
-    if (kept_)
-      keepSlots(times_, compaction.kept);
-  }
-
-  void rebase(double length) override
-  {
-    for (double& time : times_)
-      time -= length;
-  }
-
-  bool fits(std::size_t slots) const override { return times_.size() == (kept_ ? slots : 0); }
-  void archive(StateArchive& state) override { state(times_); }
-
-private:
-  bool kept_;
-  std::vector<double> times_;  ///< per slot, local to the epoch [s]
-};
-
-/// The impulse given by the base to the disks since the means began. Summed per disk, so that the bits do not
-/// depend on the order in which independent disks are advanced. World frame [N s].
-class BaseImpulses final : public Observer
-{
-public:
-  void reserve(std::size_t count) override { given_.reserve(count); }
-  void entered(const Disk& /*disk*/, double /*time*/) override { given_.push_back(Eigen::Vector2d::Zero()); }
-
-  void collided(const ContactOutcome& outcome) override
-  {
-    if (outcome.j == ContactOutcome::BASE)
-      given_[outcome.i] += impulseOf(outcome);
-  }
-
-  /// The impulse given to one disk.
-  const Eigen::Vector2d& of(std::uint32_t slot) const { return given_[slot]; }
-  void set(std::uint32_t slot, const Eigen::Vector2d& impulse) { given_[slot] = impulse; }
-
-  Eigen::Vector2d total() const
-  {
-    Eigen::Vector2d sum = gone_;
-    for (const Eigen::Vector2d& given : given_)
-      sum += given;
-    return sum;
-  }
-
-  void restart(double /*time*/) override
-  {
-    std::fill(given_.begin(), given_.end(), Eigen::Vector2d::Zero());
-    gone_ = Eigen::Vector2d::Zero();
-  }
-
-  void compact(const Compaction& compaction) override
-  {
-    for (const std::uint32_t slot : compaction.gone)
-      gone_ += given_[slot];
-    keepSlots(given_, compaction.kept);
-  }
-
-  bool fits(std::size_t slots) const override { return given_.size() == slots; }
-
-  void archive(StateArchive& state) override { state(given_, gone_); }
-
-private:
-  std::vector<Eigen::Vector2d> given_;              ///< per slot
-  Eigen::Vector2d gone_ = Eigen::Vector2d::Zero();  ///< to disks removed by compaction
 };
 
 /// Counts contacts with each face and corner of a profile. A sawtooth needs none: its kinds of contacts say

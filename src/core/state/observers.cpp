@@ -69,10 +69,8 @@ Observers::Observers(const SystemState& system)
       species_(system.scene().species.size()),
       ordered_(!system.plan().pairs),
       species_contacts_(species_),
-      contact_times_(system.plan().contact_times),
       averages_(system),
       energy_watch_(system),
-      trajectories_(system),
       bins_(add(std::make_unique<Bins>(system)))
 {
   for (const std::string& name : system.scene().observe)
@@ -81,14 +79,9 @@ Observers::Observers(const SystemState& system)
     faces_ = add(std::make_unique<FaceCounts>(system.shape()));
 }
 
-/// The sums of a disk change at once: no other thread has the disk.
 void Observers::collided(const ContactOutcome& outcome, ThreadBuffer& share)
 {
   share.collided(1, [&](std::size_t) { return outcome; });
-  if (!outcome.closed)
-    return;
-  impulses_.collided(outcome);
-  contact_times_.collided(outcome);
 }
 
 void Observers::deliverNow(const ContactOutcome& outcome)

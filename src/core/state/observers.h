@@ -12,7 +12,6 @@
 #include "state/contact_sums.h"
 #include "state/energy_watch.h"
 #include "state/thread_buffer.h"
-#include "state/trajectory_sums.h"
 
 namespace ratchet_sieve
 {
@@ -43,10 +42,8 @@ public:
       tell(outcome);
   }
 
-  // Inlined: a call costs 1 % of a run.
-  [[gnu::always_inline]] void flew(const Flight& flight, ThreadBuffer* share = nullptr)
+  void flew(const Flight& flight, ThreadBuffer* share = nullptr)
   {
-    trajectories_.flew(flight);
     if (!wants(Observer::FLIGHTS))
       return;
     if (share != nullptr)
@@ -66,50 +63,6 @@ public:
 
   /// Takes what a thread has observed. What added observers are told of waits for deliver().
   void merge(ThreadBuffer&& share);
-
-  /// The sums of all disks.
-  struct DiskSums
-  {
-    std::vector<Trajectory> trajectories;
-    BaseImpulses impulses;
-    ContactTimes contact_times{false};
-  };
-  void copyTo(DiskSums& sums) const
-  {
-    sums.trajectories = trajectories_.all();
-    sums.impulses = impulses_;
-    sums.contact_times = contact_times_;
-  }
-  void restore(const DiskSums& sums)
-  {
-    trajectories_.setAll(sums.trajectories);
-    impulses_ = sums.impulses;
-    contact_times_ = sums.contact_times;
-  }
-
-  /// The sums of one disk.
-  struct OneDisksSums
-  {
-    Trajectory trajectory;
-    Eigen::Vector2d impulse;
-    double contact_time;
-  };
-  OneDisksSums sumsOf(std::uint32_t slot) const
-  {
-    return {trajectories_[slot], impulses_.of(slot), contact_times_.of(slot)};
-  }
-  void restore(std::uint32_t slot, const OneDisksSums& sums)
-  {
-    trajectories_[slot] = sums.trajectory;
-    impulses_.set(slot, sums.impulse);
-    contact_times_.set(slot, sums.contact_time);
-  }
-
-  void prefetchSums(std::uint32_t slot) const
-  {
-    prefetch(trajectories_[slot]);
-    prefetch(impulses_.of(slot));
-  }
 
   /// Adds an observer, which is told of what it subscribes to from now on. @return it
   template <typename Added>
@@ -172,13 +125,8 @@ public:
   ContactCounts& counts() { return counts_; }
   const ContactCounts& counts() const { return counts_; }
   const SpeciesContacts& speciesContacts() const { return species_contacts_; }
-  const ContactTimes& contactTimes() const { return contact_times_; }
-  BaseImpulses& impulses() { return impulses_; }
-  const BaseImpulses& impulses() const { return impulses_; }
   const Averages& averages() const { return averages_; }
   const EnergyWatch& energyWatch() const { return energy_watch_; }
-  TrajectorySums& trajectories() { return trajectories_; }
-  const TrajectorySums& trajectories() const { return trajectories_; }
   const std::vector<SpeciesBins>& bins() const;
   std::vector<SpeciesBins>& sizeClassBins();
 
@@ -194,11 +142,8 @@ private:
   {
     call(counts_);
     call(species_contacts_);
-    call(impulses_);
-    call(contact_times_);
     call(averages_);
     call(energy_watch_);
-    call(trajectories_);
   }
 
   /// Of the added ones, too.
@@ -237,14 +182,10 @@ private:
   std::size_t species_;
   bool ordered_;  ///< whether disks are independent
 
-  // Those that read trajectories come before them: a compaction takes them away.
   ContactCounts counts_;
   SpeciesContacts species_contacts_;
-  BaseImpulses impulses_;
-  ContactTimes contact_times_;
   Averages averages_;
   EnergyWatch energy_watch_;
-  TrajectorySums trajectories_;
 
   CollisionObserver on_collision_;
   ExitObserver on_exit_;

@@ -81,7 +81,7 @@ SystemState::SystemState(const SceneDefinition& scene)
       motion_(scene.base, 2.0 * lattice_turn_),
       search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length)),
       pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
-      collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), ids_),
+      collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), records_, ids_),
       observers_(*this)
 {
 }
@@ -116,21 +116,23 @@ BaseEvent SystemState::nextBaseEvent(std::uint32_t slot, const Kinematics& from,
 void SystemState::reserve(std::size_t count)
 {
   disks_.reserve(count);
-  properties_.reserve(count);
-  active_.reserve(count);
-  collapse_watch_.reserve(count);
+  records_.reserve(count);
   observers_.reserve(count);
 }
 
 std::uint32_t SystemState::add(Disk disk, const DiskProperties& properties, double time)
 {
+  DiskRecord record;
+  record.properties = properties;
+  record.entered_x = disk.position.x();
+  record.counted_x = record.entered_x;
+  record.counted_from = epoch_.start + time;
   moveZero(disk, -time, scene_.gravity);
-  collapse_watch_.added();
+  record.fly(disk, time, scene_.gravity, -1.0);
   observers_.entered(disk, time);
   const auto slot = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back(disk);
-  properties_.push_back(properties);
-  active_.push_back(1);
+  records_.push_back(record);
   ++active_count_;
   ids_.added();
   return slot;
@@ -150,7 +152,7 @@ double SystemState::startAt(double start)
   epoch_.start = epoch_.length * std::floor(start / epoch_.length);
   const double local = start - epoch_.start;
   motion_.startAt(local);
-  collapse_watch_.rebase(0.0, epoch_.start);
+  collapse_watch_.setEpoch(epoch_.start);
   return local;
 }
 
@@ -171,11 +173,11 @@ bool SystemState::compact()
     return false;
   const Compaction compaction{slots(true), slots(false)};
   observers_.compact(compaction);
-  collapse_watch_.keep(compaction.kept);
   ids_.keep(compaction.kept);
   keepSlots(disks_, compaction.kept);
-  keepSlots(properties_, compaction.kept);
-  keepSlots(active_, compaction.kept);
+  for (const std::uint32_t slot : compaction.gone)
+    impulse_of_gone_ += records_[slot].base_impulse;
+  keepSlots(records_, compaction.kept);
   return true;
 }
 
@@ -187,9 +189,12 @@ void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, Th
   observers_.flew({slot, disk, time}, share);
   disk.position = positionAt(disk, time, scene_.gravity);
   disk.countEvent();
-  const Departure departure{slot, disk.species, properties_[slot].mass,
+  DiskRecord& record = records_[slot];
+  record.fly(disk, time, scene_.gravity);
+  record.left_when = epoch_.start + time;
+  record.active = false;
+  const Departure departure{slot, disk.species, record.properties.mass,
                             to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time};
-  active_[slot] = 0;
   if (share == nullptr)
     --active_count_;
   observers_.left(departure, share);
@@ -201,34 +206,26 @@ void SystemState::merge(ThreadBuffer&& share)
   observers_.merge(std::move(share));
 }
 
-void SystemState::copyTo(Snapshot& snapshot) const
+void SystemState::restart(double time)
 {
-  snapshot.disks = disks_;
-  snapshot.active = active_;
-  snapshot.windows = collapse_watch_.windows();
-  observers_.copyTo(snapshot.sums);
+  observers_.restart(time);
+  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
+    records_[slot].count(disks_[slot], time, epoch_.start, scene_.gravity);
+  impulse_of_gone_.setZero();
 }
 
-void SystemState::restore(const Snapshot& snapshot)
+Eigen::Vector2d SystemState::baseImpulse() const
 {
-  disks_ = snapshot.disks;
-  active_ = snapshot.active;
-  collapse_watch_.windows() = snapshot.windows;
-  observers_.restore(snapshot.sums);
-}
-
-void SystemState::restore(std::uint32_t slot, const DiskCopy& copy)
-{
-  disks_[slot] = copy.disk;
-  active_[slot] = 1;
-  observers_.restore(slot, copy.sums);
-  collapse_watch_.windows()[slot] = copy.window;
+  Eigen::Vector2d sum = impulse_of_gone_;
+  for (const DiskRecord& record : records_)
+    sum += record.base_impulse;
+  return sum;
 }
 
 void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* share)
 {
   redirect(slot, {twoOf(image.shift), twoOf(image.velocity)}, time, share);
-  observers_.trajectories().wrapped(slot, -image.shift.x());
+  records_[slot].offset -= image.shift.x();
 }
 
 void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* share)
@@ -256,13 +253,13 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, properties_, active_, active_count_, ids_, observers_.sizeClassBins(),
+  state(epoch_, motion_, disks_, records_, active_count_, impulse_of_gone_, ids_, observers_.sizeClassBins(),
         collapse_watch_);
   setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene =
-      observers_.sizeClassBins().size() == size_classes_.size() && active_.size() == count &&
-      properties_.size() == count && collapse_watch_.windows().size() == count && ids_.fits(count) &&
+      observers_.sizeClassBins().size() == size_classes_.size() && records_.size() == count &&
+      ids_.fits(count) &&
       std::all_of(disks_.begin(), disks_.end(),
                   [this](const Disk& disk) { return disk.species < scene_.species.size(); });
   if (!of_this_scene)
@@ -299,10 +296,18 @@ void SystemState::rebase(double length)
   observers_.endSegment(length);
   observers_.rebase(length);
   motion_.rebase(length);
-  for (const std::uint32_t slot : slots(true))
+  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
+  {
+    DiskRecord& record = records_[slot];
+    record.last_contact -= length;
+    record.window.end -= length;
+    if (!record.active)
+      continue;
+    record.fly(disks_[slot], length, scene_.gravity);
     moveZero(disks_[slot], length, scene_.gravity);
+  }
   epoch_.start += length;
-  collapse_watch_.rebase(length, epoch_.start);
+  collapse_watch_.setEpoch(epoch_.start);
 }
 
 }  // namespace ratchet_sieve

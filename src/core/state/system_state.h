@@ -14,6 +14,7 @@
 #include "search/contact_search.h"
 #include "search/pair_search.h"
 #include "state/collapse_watch.h"
+#include "state/disk_record.h"
 #include "state/observer.h"
 #include "state/observers.h"
 
@@ -85,8 +86,10 @@ public:
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
   double radius(std::uint32_t slot) const { return disks_[slot].radius; }
-  const DiskProperties& properties(std::uint32_t slot) const { return properties_[slot]; }
-  bool active(std::uint32_t slot) const { return active_[slot] != 0; }
+  const DiskRecord& record(std::uint32_t slot) const { return records_[slot]; }
+  DiskRecord& record(std::uint32_t slot) { return records_[slot]; }
+  const DiskProperties& properties(std::uint32_t slot) const { return records_[slot].properties; }
+  bool active(std::uint32_t slot) const { return records_[slot].active; }
   std::size_t activeCount() const { return active_count_; }
   std::uint32_t id(std::uint32_t slot) const { return ids_.of(slot); }
   const CollapseWatch& collapseWatch() const { return collapse_watch_; }
@@ -98,9 +101,7 @@ public:
   void prefetchEvent(std::uint32_t slot) const
   {
     prefetch(disks_[slot]);
-    prefetch(properties_[slot]);
-    collapse_watch_.prefetchWindow(slot);
-    observers_.prefetchSums(slot);
+    prefetch(records_[slot]);
   }
 
   /// The whole widths by which a position s along a periodic base is outside of [0, W); 0 for other bases.
@@ -143,9 +144,11 @@ public:
   {
     Disk& disk = disks_[slot];
     observers_.flew({slot, disk, time}, share);
+    const Two velocity = twoOf(disk.velocity);
+    const double spin = disk.spin;
     disk.redirect(turn.way, turn.velocity, time);
     disk.spin += turn.spin;
-    observers_.trajectories().turned(slot, disk, time);
+    records_[slot].turn(velocity, spin, disk, time, scene_.gravity);
   }
 
   /// For SIMD batches. May be called by several threads for different disks at the same time.
@@ -172,25 +175,31 @@ public:
   struct Snapshot
   {
     std::vector<Disk> disks;
-    std::vector<std::uint8_t> active;
-    std::vector<CollapseWatch::Window> windows;
-    Observers::DiskSums sums;
+    std::vector<DiskRecord> records;
   };
-  void copyTo(Snapshot& snapshot) const;
-  void restore(const Snapshot& snapshot);
+  void copyTo(Snapshot& snapshot) const
+  {
+    snapshot.disks = disks_;
+    snapshot.records = records_;
+  }
+  void restore(const Snapshot& snapshot)
+  {
+    disks_ = snapshot.disks;
+    records_ = snapshot.records;
+  }
 
-  /// What events change of an active disk that collides with no other, until their ThreadBuffer is merged.
+  /// What events change of a disk that collides with no other, until their ThreadBuffer is merged.
   struct DiskCopy
   {
     Disk disk;
-    Observers::OneDisksSums sums;
-    CollapseWatch::Window window;
+    DiskRecord record;
   };
-  DiskCopy copyOf(std::uint32_t slot) const
+  DiskCopy copyOf(std::uint32_t slot) const { return {disks_[slot], records_[slot]}; }
+  void restore(std::uint32_t slot, const DiskCopy& copy)
   {
-    return {disks_[slot], observers_.sumsOf(slot), collapse_watch_.windows()[slot]};
+    disks_[slot] = copy.disk;
+    records_[slot] = copy.record;
   }
-  void restore(std::uint32_t slot, const DiskCopy& copy);
 
   /// The slots of the active disks, or of the others, in increasing order.
   std::vector<std::uint32_t> slots(bool active) const;
@@ -198,6 +207,12 @@ public:
   /// Removes disks that have left from the arrays if they are the majority; the others move to smaller slots.
   /// @return whether it did
   bool compact();
+
+  /// The end of `settle`: the means begin anew.
+  void restart(double time);
+
+  /// The impulse that the base gave to the disks since the means began, world frame [N s].
+  Eigen::Vector2d baseImpulse() const;
 
   /// Time counts from `start` [s] instead of 0. @pre nothing has happened yet
   /// @return the start, local to the epoch: epochs are multiples of their length from time 0, so that times
@@ -234,8 +249,9 @@ private:
   ContactSearch search_;
 
   std::vector<Disk> disks_;
-  std::vector<DiskProperties> properties_;
-  std::vector<std::uint8_t> active_;
+  std::vector<DiskRecord> records_;  ///< by slot, as the disks
+  Eigen::Vector2d impulse_of_gone_ =
+      Eigen::Vector2d::Zero();  ///< of the base to disks removed by compaction [N s]
   std::size_t active_count_ = 0;
   DiskIds ids_;
   PairScene pair_scene_;  ///< of the members above
