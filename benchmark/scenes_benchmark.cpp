@@ -115,7 +115,7 @@ void layerInStrips(benchmark::State& state, int teeth, std::size_t threads, cons
   const SceneDefinition scene = mixtureOf(teeth);
   Engine engine(scene, landedState(teeth));
   engine.setThreads(threads, strips);
-  const auto collisions = [&] { return engine.state().observers().counts().collisions.total(); };
+  const auto collisions = [&] { return engine.state().sums().contacts.counts.collisions.total(); };
   const auto before = collisions();
   for (auto _ : state)
     engine.advanceTo(engine.time() + 1.0 / scene.base.frequency);

@@ -47,8 +47,8 @@ struct WatchedRun
       : engine(scene, 0.0, PourObserver())
   {
     engine.setThreads(threads, strips);
-    engine.state().observers().observeCollisions([this](const CollisionRecord& record)
-                                                 { collisions.push_back(record); });
+    engine.state().log().observeCollisions([this](const CollisionRecord& record)
+                                           { collisions.push_back(record); });
   }
 
   Engine engine;

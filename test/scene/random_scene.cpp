@@ -7,8 +7,8 @@
 #include "model/base_motion.h"
 #include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/resolution.h"
+#include "ratchet_sieve/core/results.h"
 #include "ratchet_sieve/core/sizes.h"
 
 namespace ratchet_sieve

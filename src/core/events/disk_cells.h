@@ -51,7 +51,7 @@ public:
   bool crowdedBy(std::size_t count) const { return count > 2 * built_for_; }
 
   /// Adds a disk to its cell, wrapped into the width, because a new grid may have left it outside.
-  /// @param share as in Observers::collided(), here and below. Several threads may move disks between cells
+  /// @param share as in SystemState::collided(), here and below. Several threads may move disks between cells
   /// of different columns at the same time.
   void add(std::uint32_t slot, double time, ThreadBuffer* share = nullptr);
   void remove(std::uint32_t slot) { grid_.remove(slot); }

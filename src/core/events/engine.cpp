@@ -63,7 +63,7 @@ void Engine::advanceTo(double time)
       throw StallError(state_.collapseWatch().text());
     const double target = time - state_.epoch().start;
     now_ = loop_->advanceTo(std::min(target, nextMachineEvent()));
-    state_.observers().deliver();
+    state_.log().deliver();
     if (state_.collapseWatch().stops())
       stopAtATimeOfTheRun();
     else if (!executeMachineEvent() && now_ >= target)
@@ -107,7 +107,7 @@ void Engine::setThreads(std::size_t threads, const StripSettings& strips)
 std::size_t Engine::auditOverlaps()
 {
   const Audit found = audit(state_, loop_->executedUntil(now_));
-  state_.observers().counts().addOverlap(found.largest_overlap);
+  state_.sums().contacts.counts.addOverlap(found.largest_overlap);
   return found.behind_surface;
 }
 
@@ -152,7 +152,7 @@ void Engine::settle()
 
 std::optional<double> Engine::nextBlockEnd() const
 {
-  if (!settled_ || !state_.observers().keepsBlocks())
+  if (!settled_ || !(state_.sums().averages.keepsSeries() || state_.log().wantsBlocks()))
     return std::nullopt;
   return local(blockEnd(blocks_ + 1));
 }
@@ -166,7 +166,8 @@ double Engine::blockTime() const
 void Engine::endBlock()
 {
   ++blocks_;
-  state_.observers().endBlock(now_);
+  state_.sums().averages.endBlock(now_);
+  state_.log().endBlock(now_);
 }
 
 void Engine::beginSegment()
@@ -207,7 +208,7 @@ void Engine::endEpoch()
 {
   const bool moving = state_.motion().nextChange().has_value();
   loop_->catchUp(now_);
-  state_.observers().endEpoch(now_);
+  state_.sums().energies.check(now_);
   moveZero(state_.epoch().length);
   // Otherwise memory and scan time would grow without limit in a machine with a feed.
   if (state_.compact())

@@ -42,7 +42,7 @@ public:
   {
     return settledTime() + static_cast<double>(blocks) * blockTime();
   }
-  MeanSeries meanSeries() const { return state_.observers().averages().series(blockTime()); }
+  MeanSeries meanSeries() const { return state_.sums().averages.series(blockTime()); }
 
   /// In the run's time [s].
   double startTime() const { return start_; }

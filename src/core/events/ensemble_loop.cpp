@@ -50,7 +50,7 @@ class EnsembleLoop : public EventLoop
 public:
   explicit EnsembleLoop(SystemState& state)
       : state_(state),
-        share_(state.observers().buffer()),
+        share_(state.log().buffer()),
         execution_(state, &share_),
         base_(state.motion()),
         kernel_(widestKernel(laneLimit()))
@@ -177,7 +177,7 @@ private:
     std::size_t most = std::numeric_limits<std::uint32_t>::max();
     if (state_.scene().contact.on_collapse == CollapseAction::STOP)
       most = EVENTS_IN_A_PASS;
-    if (state_.observers().collects())
+    if (state_.log().collects())
       most =
           std::min(most, std::max(FEW_EVENTS, NOTICES_IN_A_PASS / std::max<std::size_t>(1, copies_.size())));
     return static_cast<std::uint32_t>(most);
@@ -188,7 +188,7 @@ private:
   {
     most_events_ = mostEvents();
     pass_events_ = 0;
-    share_ = state_.observers().buffer();
+    share_ = state_.log().buffer();
     behind_.clear();
     for (const Copy& copy : copies_)
       if (hasEventUntil(last, copy.slot))

@@ -74,7 +74,7 @@ class PairEvents
 {
 public:
   /// @param layer, queue outlive this
-  /// @param share as in Observers::collided()
+  /// @param share as in SystemState::collided()
   PairEvents(PairLayer& layer, Queue& queue, ContactExecution execution, ThreadBuffer* share)
       : layer_(layer),
         state_(layer.state),

@@ -32,7 +32,7 @@ PairStrips::Region::Region(PairLayer& layer, std::vector<std::uint32_t>& places,
                            std::int32_t size)
     : first_column(first_column),
       columns(size),
-      share(layer.state.observers().buffer()),
+      share(layer.state.log().buffer()),
       queue(places),
       events(layer, queue, ContactExecution(layer.state, &share), &share)
 {
@@ -135,7 +135,7 @@ bool PairStrips::advance(double now, double time)
   else
     restore();
   // By the caller's thread.
-  layer_.state.observers().deliver();
+  layer_.state.log().deliver();
   return !failed_;
 }
 
@@ -360,7 +360,7 @@ void PairStrips::commit()
       {
         events_ += region.events.takeEvents();
         layer_.cells.countCrossings(region.events.takeCrossings());
-        layer_.state.merge(std::exchange(region.share, layer_.state.observers().buffer()));
+        layer_.state.merge(std::exchange(region.share, layer_.state.log().buffer()));
       });
   events_to_commit_ = 0;
   pace_ = std::min(FASTER * pace_, 1.0);

@@ -9,7 +9,7 @@
 #include "model/orbit.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 
 namespace ratchet_sieve
 {

@@ -81,7 +81,7 @@ public:
                PassBreak& pass_break, NextDisk&& next_disk)
   {
     CollapseWatch& watch = system.collapseWatch();
-    share_ = system.observers().buffer();
+    share_ = system.log().buffer();
     std::uint32_t slot = 0;
     std::size_t rows = 0;
     std::uint32_t events = 0;  // of each row that is loaded all the while

@@ -65,7 +65,7 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
     push(slot, outcome, 1.0);
     system_.record(slot).base_impulse += impulseOf(outcome);
   }
-  system_.observers().collided(outcome, share_);
+  system_.collided(outcome, share_);
   return outcome;
 }
 
@@ -105,7 +105,7 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
     push(i, outcome, 1.0);
     push(j, outcome, -1.0);
   }
-  system_.observers().collided(outcome, share_);
+  system_.collided(outcome, share_);
   return outcome;
 }
 

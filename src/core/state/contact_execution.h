@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "model/collision_law.h"
-#include "state/observer.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -16,7 +15,8 @@ class ContactExecution
 {
 public:
   /// @param system outlives this
-  /// @param share of the thread, if several advance disks at the same time: see Observers; outlives this
+  /// @param share of the thread, if several advance disks at the same time: see SystemState::collided();
+  /// outlives this
   explicit ContactExecution(SystemState& system, ThreadBuffer* share = nullptr);
 
   /// Executes a disk's event with the base: a contact, or the passage of an end.

@@ -36,7 +36,7 @@ EnergyWatch::EnergyWatch(const SystemState& system)
 {
 }
 
-void EnergyWatch::endEpoch(double time)
+void EnergyWatch::check(double time)
 {
   // By the drive in any direction, and by the turning of its raised end.
   const double base_speed =

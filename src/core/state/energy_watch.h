@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "state/observer.h"
+#include "ratchet_sieve/core/results.h"
 
 namespace ratchet_sieve
 {
@@ -16,7 +16,7 @@ class SystemState;
 /// The scale is the energy of a disk that falls from the highest position of the scene and leaves the base
 /// after one elastic bounce against its fastest motion: (sqrt(2 g H + v^2) + 2 V)^2 / 2 per mass. Disks that
 /// lose energy in collisions stay within a few scales.
-class EnergyWatch final : public Observer
+class EnergyWatch
 {
 public:
   /// Energies above this multiple of the scale are reported: 32 times the speed after one elastic bounce.
@@ -24,8 +24,8 @@ public:
 
   explicit EnergyWatch(const SystemState& system);
 
-  /// Checks every disk.
-  void endEpoch(double time) override;
+  /// Checks every disk. @param time local to the epoch
+  void check(double time);
 
   /// The largest energy of a disk so far, in scales.
   double largest() const { return largest_; }
@@ -33,7 +33,7 @@ public:
   /// The first disk above the limit.
   const std::optional<LargeEnergy>& first() const { return first_; }
 
-  void archive(StateArchive& state) override { state(fastest_base_, largest_, first_); }
+  void archive(StateArchive& state) { state(fastest_base_, largest_, first_); }
 
 private:
   const SystemState& system_;

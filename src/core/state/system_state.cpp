@@ -82,7 +82,8 @@ SystemState::SystemState(const SceneDefinition& scene)
       search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length)),
       pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), records_, ids_),
-      observers_(*this)
+      sums_{ContactSums(scene.species.size()), Averages(*this), EnergyWatch(*this)},
+      log_(*this)
 {
 }
 
@@ -117,7 +118,6 @@ void SystemState::reserve(std::size_t count)
 {
   disks_.reserve(count);
   records_.reserve(count);
-  observers_.reserve(count);
 }
 
 std::uint32_t SystemState::add(Disk disk, const DiskProperties& properties, double time)
@@ -129,7 +129,7 @@ std::uint32_t SystemState::add(Disk disk, const DiskProperties& properties, doub
   record.counted_from = epoch_.start + time;
   moveZero(disk, -time, scene_.gravity);
   record.fly(disk, time, scene_.gravity, -1.0);
-  observers_.entered(disk, time);
+  log_.entered(disk, time);
   const auto slot = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back(disk);
   records_.push_back(record);
@@ -171,13 +171,14 @@ bool SystemState::compact()
   const std::size_t gone = disks_.size() - active_count_;
   if (gone < LEAST_COMPACTED || gone <= active_count_)
     return false;
-  const Compaction compaction{slots(true), slots(false)};
-  observers_.compact(compaction);
-  ids_.keep(compaction.kept);
-  keepSlots(disks_, compaction.kept);
-  for (const std::uint32_t slot : compaction.gone)
+  const std::vector<std::uint32_t> kept = slots(true), forgotten = slots(false);
+  sums_.averages.forget(forgotten);
+  for (const std::uint32_t slot : forgotten)
     impulse_of_gone_ += records_[slot].base_impulse;
-  keepSlots(records_, compaction.kept);
+  log_.keep(kept);
+  ids_.keep(kept);
+  keepSlots(disks_, kept);
+  keepSlots(records_, kept);
   return true;
 }
 
@@ -186,7 +187,7 @@ void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, Th
   if (scene_.boundary == Boundary::PERIODIC)
     return wrap(slot, to_the_right ? -1.0 : 1.0, time, share);
   Disk& disk = disks_[slot];
-  observers_.flew({slot, disk, time}, share);
+  log_.flew({slot, disk, time}, share);
   disk.position = positionAt(disk, time, scene_.gravity);
   disk.countEvent();
   DiskRecord& record = records_[slot];
@@ -197,18 +198,21 @@ void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, Th
                             to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time};
   if (share == nullptr)
     --active_count_;
-  observers_.left(departure, share);
+  log_.left(departure, share);
 }
 
 void SystemState::merge(ThreadBuffer&& share)
 {
-  active_count_ -= share.departures();
-  observers_.merge(std::move(share));
+  active_count_ -= share.departures;
+  sums_.contacts.add(share.contacts);
+  log_.take(std::exchange(share.reports, {}));
 }
 
 void SystemState::restart(double time)
 {
-  observers_.restart(time);
+  sums_.contacts.restart();
+  sums_.averages.restart();
+  log_.restart(time);
   for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
     records_[slot].count(disks_[slot], time, epoch_.start, scene_.gravity);
   impulse_of_gone_.setZero();
@@ -253,18 +257,18 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, records_, active_count_, impulse_of_gone_, ids_, observers_.sizeClassBins(),
+  state(epoch_, motion_, disks_, records_, active_count_, impulse_of_gone_, ids_, log_.sizeClassBins(),
         collapse_watch_);
   setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene =
-      observers_.sizeClassBins().size() == size_classes_.size() && records_.size() == count &&
-      ids_.fits(count) &&
+      log_.sizeClassBins().size() == size_classes_.size() && records_.size() == count && ids_.fits(count) &&
       std::all_of(disks_.begin(), disks_.end(),
                   [this](const Disk& disk) { return disk.species < scene_.species.size(); });
   if (!of_this_scene)
     throw StateError("it is of another scene");
-  observers_.archive(state, count);
+  state(sums_);
+  log_.archive(state, count);
 }
 
 std::vector<double> SystemState::activeRadii() const
@@ -293,8 +297,8 @@ double SystemState::shortenEpoch(double now)
 
 void SystemState::rebase(double length)
 {
-  observers_.endSegment(length);
-  observers_.rebase(length);
+  log_.endSegment(length);
+  log_.rebase(length);
   motion_.rebase(length);
   for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
   {
