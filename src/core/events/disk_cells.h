@@ -72,7 +72,6 @@ public:
     const BasePoint at = inGrid(slot, start);
     const auto fall = verticalIntoBase(frame_.rotation, -state_.scene().gravity);
     Crossing first{Edge::NONE, until};
-    // Inlined: a call costs 1 % of a run.
     const auto leave = [&](Edge edge, double gap, double rate, double accel) __attribute__((always_inline))
     {
       // Most edges are not reached, which needs no square root to decide: if the gap is positive at both ends
@@ -162,7 +161,6 @@ private:
   CellGrid::Cell cellNow(std::uint32_t slot, double time) const;
 
   /// The position of a disk, or of its image in the grid, in the fixed frame of the cells.
-  // Inlined: a call costs 2 % of a run.
   [[gnu::always_inline]] BasePoint inGrid(std::uint32_t slot, const Kinematics& now) const
   {
     BasePoint point{frame_.into(vectorOf(now.position)), frame_.into(vectorOf(now.velocity))};

@@ -93,7 +93,6 @@ public:
   }
 
   /// The position and velocity of the disk relative to the base at `time`.
-  // Inlined: a call costs 1 % of a run.
   [[gnu::always_inline]] BasePoint seenFromBase(const Disk& disk, const FrameOfBase& base, double time) const
   {
     return base.see(kinematicsAt(disk, time, gravity_));

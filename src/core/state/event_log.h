@@ -95,33 +95,15 @@ public:
   ExitWindow exitWindow(double time, double not_before) const;
 
   // See Observer.
-  void entered(const Disk& disk, double time)
-  {
-    for (const auto& observer : observers_)
-      observer->entered(disk, time);
-  }
-  void restart(double time)
-  {
-    for (const auto& observer : observers_)
-      observer->restart(time);
-  }
-  void endBlock(double time)
-  {
-    for (const auto& observer : observers_)
-      observer->endBlock(time);
-  }
+  void entered(const Disk& disk, double time) { callAll(&Observer::entered, disk, time); }
+  void restart(double time) { callAll(&Observer::restart, time); }
+  void endBlock(double time) { callAll(&Observer::endBlock, time); }
   void endSegment(double time)
   {
     deliver();
-    for (const auto& observer : observers_)
-      observer->endSegment(time);
+    callAll(&Observer::endSegment, time);
   }
-  void rebase(double length)
-  {
-    deliver();
-    for (const auto& observer : observers_)
-      observer->rebase(length);
-  }
+  void rebase(double length) { callAll(&Observer::rebase, length); }
 
   /// Only the disks at these slots stay.
   void keep(const std::vector<std::uint32_t>& slots);
@@ -139,6 +121,13 @@ public:
   std::vector<Observed> observed(double time, bool settled) const;
 
 private:
+  template <typename Hook, typename... Values>
+  void callAll(Hook hook, const Values&... values)
+  {
+    for (const auto& observer : observers_)
+      ((*observer).*hook)(values...);
+  }
+
   bool wants(unsigned subscriptions) const { return (subscriptions_ & subscriptions) != 0; }
   void noteSubscriptions();
 

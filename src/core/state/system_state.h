@@ -151,7 +151,6 @@ public:
   }
 
   /// Changes a disk's flight at `time`. @param share as in collided(), here and below
-  // Inlined: a call costs 1 % of a run.
   [[gnu::always_inline]] void redirect(std::uint32_t slot, const Turn& turn, double time,
                                        ThreadBuffer* share = nullptr)
   {
