@@ -43,6 +43,15 @@ TEST(Resolution, TheLongestEpochKeepsAFastBaseFromOverlapping)
   EXPECT_EQ(longestEpoch(0.0, 1e-6), std::numeric_limits<double>::infinity());
 }
 
+TEST(Resolution, TheLongestFallKeepsAFastDiskFromOverlapping)
+{
+  const double length = longestFall(9.81, 1e-6);
+  EXPECT_LE(9.81 * length * timeResolution(length), 0.05e-9 * 1e-6);
+  EXPECT_GT(9.81 * 2.0 * length * timeResolution(2.0 * length), 0.05e-9 * 1e-6);
+  EXPECT_EQ(std::exp2(std::round(std::log2(length))), length);
+  EXPECT_EQ(longestFall(0.0, 1e-6), std::numeric_limits<double>::infinity());
+}
+
 TEST(Resolution, AnEpochIsAPowerOfTwoOfEightTimeScalesOrMore)
 {
   EXPECT_EQ(epochLength(1.0), 8.0);

@@ -31,8 +31,8 @@ double epochLength(double time_scale);
 /// infinity if the speed is 0.
 double longestEpoch(double speed, double radius);
 
-/// The same for disks that fall, but a tenth of that overlap: flights, too, are counted from the start of an
-/// epoch.
+/// The same for disks that fall, but a twentieth of that overlap: flights, too, are counted from the start of
+/// an epoch.
 double longestFall(double gravity, double radius);
 
 /// The largest distance from the origin at which positions are resolved finely enough for disks of this

@@ -228,8 +228,9 @@ private:
     const Kinematics point = state_.flown(slot, p.base.time);
     if (p.edge == CellEdge::NONE && p.cell_time < p.pair.time)
     {
-      const DiskCells::Crossing crossing = cells_.nextCrossing(
-          slot, p.cell_time == point.time ? point : state_.flown(slot, p.cell_time), p.pair.time);
+      const DiskCells::Crossing crossing =
+          p.cell_time == point.time ? cells_.nextCrossing(slot, point, p.pair.time)
+                                    : cells_.nextCrossing(slot, state_.flown(slot, p.cell_time), p.pair.time);
       p.edge = crossing.edge;
       p.cell_time = crossing.time;
     }

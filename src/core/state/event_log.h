@@ -37,7 +37,7 @@ public:
   }
 
   /// @param share of the thread, if several advance disks at the same time
-  void flew(const Flight& flight, ThreadBuffer* share)
+  [[gnu::always_inline]] void flew(const Flight& flight, ThreadBuffer* share)
   {
     if (!wants(Observer::FLIGHTS))
       return;
