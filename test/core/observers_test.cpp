@@ -177,7 +177,7 @@ public:
     rotation += 0.5 * elapsed * disk.spin * disk.spin;
   }
 
-  void left(const Departure& departure) override
+  void departed(const Departure& departure) override
   {
     inOrder(departure.time);
     EXPECT_NEAR(begins[system_.id(departure.slot)], system_.epoch().start + departure.time, ROUNDING);

@@ -51,16 +51,16 @@ std::size_t DiskCells::reserve(std::size_t count)
   return capacity_;
 }
 
-void DiskCells::add(std::uint32_t slot, double time, ThreadBuffer* share)
+void DiskCells::add(std::uint32_t slot, double time, ThreadBuffer* buffer)
 {
   if (lattice_turns_)
     images_[slot] -= static_cast<std::int32_t>(state_.widthsOutside(inGrid(slot, time).s()));
   else
-    state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time, share);
+    state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time, buffer);
   grid_.add(slot, cellNow(slot, time), state_.radius(slot));
 }
 
-bool DiskCells::cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* share)
+bool DiskCells::cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* buffer)
 {
   CellGrid::Cell cell = grid_.cellOf(slot);
   grid_.remove(slot);
@@ -72,9 +72,9 @@ bool DiskCells::cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* 
   if (wraps)
   {
     if (grid_.laps() > 0)
-      state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time, share);
+      state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time, buffer);
     else
-      state_.wrap(slot, -laps, time, share);
+      state_.wrap(slot, -laps, time, buffer);
     cell.row = cellNow(slot, time).row;
   }
   else if (laps != 0)

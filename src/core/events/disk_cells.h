@@ -51,17 +51,17 @@ public:
   bool crowdedBy(std::size_t count) const { return count > 2 * built_for_; }
 
   /// Adds a disk to its cell, wrapped into the width, because a new grid may have left it outside.
-  /// @param share as in SystemState::collided(), here and below. Several threads may move disks between cells
-  /// of different columns at the same time.
-  void add(std::uint32_t slot, double time, ThreadBuffer* share = nullptr);
+  /// @param buffer as in SystemState::collided(), here and below. Several threads may move disks between
+  /// cells of different columns at the same time.
+  void add(std::uint32_t slot, double time, ThreadBuffer* buffer = nullptr);
   void remove(std::uint32_t slot) { grid_.remove(slot); }
   const CellGrid& grid() const { return grid_; }
 
   /// Moves a disk to the cell of its new image.
-  void replace(std::uint32_t slot, double time, ThreadBuffer* share)
+  void replace(std::uint32_t slot, double time, ThreadBuffer* buffer)
   {
     remove(slot);
-    add(slot, time, share);
+    add(slot, time, buffer);
   }
 
   /// When the disk next leaves its cell after `start` and before `until`, and by which edge.
@@ -98,7 +98,7 @@ public:
   bool aboveBase(std::uint32_t slot) const { return grid_.rowStart(grid_.cellOf(slot).row) >= above_base_; }
 
   /// Moves a disk over an edge into the next cell. @return whether it was wrapped, which changes its flight
-  bool cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* share);
+  bool cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* buffer);
 
   /// To be called after crossings, with their number.
   void countCrossings(std::uint64_t crossings) { layout_.countCrossings(crossings); }

@@ -13,7 +13,8 @@ namespace
 /// time.
 constexpr double EVENTS_PER_COPY = 16.0;
 
-/// The pace from copy to copy: a window that fails costs no more than the events since one.
+/// By this factor windows grow from copy to copy: a window that fails costs no more than the events since
+/// one.
 constexpr double FASTER = 1.2;
 
 /// Shortest window [time scales].
@@ -22,8 +23,8 @@ constexpr double SHORTEST_WINDOW = 1e-6;
 /// The number of further columns that an event may touch.
 constexpr std::int32_t REACH = 2;
 
-/// See copy(): of about the same size.
-constexpr std::size_t COPY_PARTS = 2;
+/// See copyHalf(): of about the same size.
+constexpr std::size_t COPY_HALVES = 2;
 
 constexpr double LONG_AGO = -std::numeric_limits<double>::infinity();
 }  // namespace
@@ -32,9 +33,9 @@ PairStrips::Region::Region(PairLayer& layer, std::vector<std::uint32_t>& places,
                            std::int32_t size)
     : first_column(first_column),
       columns(size),
-      share(layer.state.log().buffer()),
+      buffer(layer.state.log().buffer()),
       queue(places),
-      events(layer, queue, ContactExecution(layer.state, &share), &share)
+      events(layer, queue, ContactExecution(layer.state, &buffer), &buffer)
 {
 }
 
@@ -100,10 +101,10 @@ void PairStrips::cutIntoStrips(std::size_t count)
 }
 
 /// Not so short, in a collapse, that time stands still.
-void PairStrips::setWindows(double length, double pace)
+void PairStrips::setWindows(double length, double share)
 {
   length_ = std::max(length, SHORTEST_WINDOW * layer_.state.timeScale());
-  pace_ = pace;
+  window_share_ = share;
 }
 
 double PairStrips::nextTime(std::uint32_t slot) const
@@ -150,7 +151,7 @@ void PairStrips::work(std::size_t worker, std::size_t workers, SpinBarrier& barr
   {
     if (copy_is_due_)
     {
-      guarded([&] { share(COPY_PARTS, [&](std::size_t part) { copy(part); }); });
+      guarded([&] { share(COPY_HALVES, [&](std::size_t half) { copyHalf(half); }); });
       barrier.wait([&] { copy_is_due_ = false; });
     }
     guarded([&] { share(strips_.size(), [&](std::size_t s) { advance(s); }); });
@@ -200,7 +201,7 @@ bool PairStrips::execute(Region& region, std::uint32_t slot, double now, const C
 {
   if (!layer_.state.collapseWatch().countOrdinary(slot, now))
     return false;
-  region.share.beginEvent(slot);
+  region.buffer.beginEvent(slot);
   region.events.process(slot, now);
   if (!layer_.state.active(slot))
     return true;
@@ -303,10 +304,10 @@ void PairStrips::finishWindow(double time)
   std::uint64_t all = 0;
   forEachRegion([&](const Region& region) { all += region.events.events(); });
   const auto found = static_cast<double>(all - std::exchange(events_to_commit_, all));
-  const double wanted = pace_ * settings_.events_per_column * layer_.cells.grid().columns();
+  const double wanted = window_share_ * settings_.events_per_column * layer_.cells.grid().columns();
   // Not from a window that ends early.
   if (const double whole = (end_ - start_) / length_; whole > 0.5)
-    setWindows(length_ * std::clamp(whole * wanted / std::max(found, 1.0), 0.5, 2.0), pace_);
+    setWindows(length_ * std::clamp(whole * wanted / std::max(found, 1.0), 0.5, 2.0), window_share_);
   if (end_ >= time)
   {
     done_ = true;
@@ -333,10 +334,10 @@ void PairStrips::moveDisks()
     }
 }
 
-/// Each part by one thread.
-void PairStrips::copy(std::size_t part)
+/// Each half by one thread.
+void PairStrips::copyHalf(std::size_t half)
 {
-  if (part == 0)
+  if (half == 0)
   {
     ++copies_;
     return layer_.state.copyTo(copy_.state);
@@ -360,10 +361,10 @@ void PairStrips::commit()
       {
         events_ += region.events.takeEvents();
         layer_.cells.countCrossings(region.events.takeCrossings());
-        layer_.state.merge(std::exchange(region.share, layer_.state.log().buffer()));
+        layer_.state.merge(std::exchange(region.buffer, layer_.state.log().buffer()));
       });
   events_to_commit_ = 0;
-  pace_ = std::min(FASTER * pace_, 1.0);
+  window_share_ = std::min(FASTER * window_share_, 1.0);
 }
 
 }  // namespace ratchet_sieve

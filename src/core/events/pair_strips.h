@@ -82,10 +82,10 @@ public:
   /// The length of a window with as many events as wanted [s], and their number as a share of the settings',
   /// which grows to 1 as long as no window fails.
   double windowLength() const { return length_; }
-  double pace() const { return pace_; }
+  double windowShare() const { return window_share_; }
 
   /// May be called before advance().
-  void setWindows(double length, double pace);
+  void setWindows(double length, double share);
 
   /// The number of events since the last call that advance() has executed for good.
   std::uint64_t takeEvents() { return std::exchange(events_, 0); }
@@ -102,7 +102,7 @@ private:
 
     std::int32_t first_column;
     std::int32_t columns;
-    ThreadBuffer share;
+    ThreadBuffer buffer;
     SlotQueue queue;
     PairEvents<SlotQueue> events;
   };
@@ -150,7 +150,7 @@ private:
       visit(*cut);
   }
   void moveDisks();
-  void copy(std::size_t part);
+  void copyHalf(std::size_t half);
   void restore();
   void commit();
   void fail() { failed_.store(true, std::memory_order_relaxed); }
@@ -168,7 +168,7 @@ private:
   std::vector<double> touched_;                ///< per column, with two more at each end: last time [s]
 
   double length_ = 0.0;  ///< of a window [s]
-  double pace_ = 1.0;
+  double window_share_ = 1.0;
   double start_ = 0.0;  ///< of the present window [s]
   double end_ = 0.0;
   bool done_ = false;

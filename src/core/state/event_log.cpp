@@ -37,7 +37,7 @@ public:
     if (const std::size_t k = system_.sizeClassOf(disk); k < of_size_classes.size())
       ++of_size_classes[k].on_base;
   }
-  void left(const Departure& departure) override
+  void departed(const Departure& departure) override
   {
     --of_species[departure.species].on_base;
     count(departure, of_species[departure.species]);
@@ -139,7 +139,7 @@ void EventLog::deliverNow(const Flight& flight)
 void EventLog::deliverNow(const Departure& departure)
 {
   for (const auto& observer : observers_)
-    observer->left(departure);
+    observer->departed(departure);
   const double time = system_.epoch().start + departure.time;
   if (kept_length_ > 0.0)
     exits_.emplace_back(time, departure);

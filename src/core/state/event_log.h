@@ -36,21 +36,21 @@ public:
       tell(outcome);
   }
 
-  /// @param share of the thread, if several advance disks at the same time
-  [[gnu::always_inline]] void flew(const Flight& flight, ThreadBuffer* share)
+  /// @param buffer of the thread, if several advance disks at the same time
+  [[gnu::always_inline]] void flew(const Flight& flight, ThreadBuffer* buffer)
   {
     if (!wants(Observer::FLIGHTS))
       return;
-    if (share != nullptr)
-      share->flew(flight);
+    if (buffer != nullptr)
+      buffer->flew(flight);
     else
       tell(flight);
   }
 
-  void left(const Departure& departure, ThreadBuffer* share)
+  void departed(const Departure& departure, ThreadBuffer* buffer)
   {
-    if (share != nullptr)
-      share->left(departure);
+    if (buffer != nullptr)
+      buffer->departed(departure);
     else
       tell(departure);
   }

@@ -52,7 +52,7 @@ public:
 
   unsigned subscriptions() const override { return BLOCKS; }
 
-  void left(const Departure& departure) override
+  void departed(const Departure& departure) override
   {
     Flow& flow = flows_.of(departure);
     flow.mass += departure.mass;
@@ -130,7 +130,7 @@ public:
   {
     entered_.push_back(system_.epoch().start + time);
   }
-  void left(const Departure& departure) override
+  void departed(const Departure& departure) override
   {
     times_.of(departure).add(system_.epoch().start + departure.time - entered_[departure.slot]);
   }

@@ -37,7 +37,7 @@ public:
 
   /// A flight, before the disk's is replaced by the next.
   virtual void flew(const Flight& /*flight*/) {}
-  virtual void left(const Departure& /*departure*/) {}
+  virtual void departed(const Departure& /*departure*/) {}
 
   /// A disk is about to be added at the next slot.
   virtual void entered(const Disk& /*disk*/, double /*time*/) {}

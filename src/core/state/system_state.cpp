@@ -182,12 +182,12 @@ bool SystemState::compact()
   return true;
 }
 
-void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* share)
+void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* buffer)
 {
   if (scene_.boundary == Boundary::PERIODIC)
-    return wrap(slot, to_the_right ? -1.0 : 1.0, time, share);
+    return wrap(slot, to_the_right ? -1.0 : 1.0, time, buffer);
   Disk& disk = disks_[slot];
-  log_.flew({slot, disk, time}, share);
+  log_.flew({slot, disk, time}, buffer);
   disk.position = positionAt(disk, time, scene_.gravity);
   disk.countEvent();
   DiskRecord& record = records_[slot];
@@ -196,16 +196,16 @@ void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, Th
   record.active = false;
   const Departure departure{slot, disk.species, record.properties.mass,
                             to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time};
-  if (share == nullptr)
+  if (buffer == nullptr)
     --active_count_;
-  log_.left(departure, share);
+  log_.departed(departure, buffer);
 }
 
-void SystemState::merge(ThreadBuffer&& share)
+void SystemState::merge(ThreadBuffer&& buffer)
 {
-  active_count_ -= share.departures;
-  sums_.contacts.add(share.contacts);
-  log_.take(std::exchange(share.reports, {}));
+  active_count_ -= buffer.departures;
+  sums_.contacts.add(buffer.contacts);
+  log_.take(std::exchange(buffer.reports, {}));
 }
 
 void SystemState::restart(double time)
@@ -226,18 +226,18 @@ Eigen::Vector2d SystemState::baseImpulse() const
   return sum;
 }
 
-void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* share)
+void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* buffer)
 {
-  redirect(slot, {twoOf(image.shift), twoOf(image.velocity)}, time, share);
+  redirect(slot, {twoOf(image.shift), twoOf(image.velocity)}, time, buffer);
   records_[slot].offset -= image.shift.x();
 }
 
-void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* share)
+void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* buffer)
 {
   if (scene_.boundary != Boundary::PERIODIC || motion_.turning())
     return;
   if (const double widths = widthsOutside(s); widths != 0.0)
-    wrap(slot, -widths, time, share);
+    wrap(slot, -widths, time, buffer);
 }
 
 /// Wraps all disks when the base begins to turn. Before, an image moves exactly as its disk does.

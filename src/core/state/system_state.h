@@ -140,22 +140,22 @@ public:
     double spin = 0.0;  ///< is added [rad/s]
   };
 
-  /// Takes an executed contact. @param share of the thread, if several advance disks at the same time
-  void collided(const ContactOutcome& outcome, ThreadBuffer* share = nullptr)
+  /// Takes an executed contact. @param buffer of the thread, if several advance disks at the same time
+  void collided(const ContactOutcome& outcome, ThreadBuffer* buffer = nullptr)
   {
-    if (share != nullptr)
-      return share->collided(outcome);
+    if (buffer != nullptr)
+      return buffer->collided(outcome);
     sums_.contacts.add(outcome);
     if (outcome.closed)
       log_.collided(outcome);
   }
 
-  /// Changes a disk's flight at `time`. @param share as in collided(), here and below
+  /// Changes a disk's flight at `time`. @param buffer as in collided(), here and below
   [[gnu::always_inline]] void redirect(std::uint32_t slot, const Turn& turn, double time,
-                                       ThreadBuffer* share = nullptr)
+                                       ThreadBuffer* buffer = nullptr)
   {
     Disk& disk = disks_[slot];
-    log_.flew({slot, disk, time}, share);
+    log_.flew({slot, disk, time}, buffer);
     const Two velocity = twoOf(disk.velocity);
     const double spin = disk.spin;
     disk.redirect(turn.way, turn.velocity, time);
@@ -167,21 +167,21 @@ public:
   Disk& changeable(std::uint32_t slot) { return disks_[slot]; }
 
   /// Moves the disk to its image `shift` widths to the right, on the same flight.
-  void wrap(std::uint32_t slot, double shift, double time, ThreadBuffer* share = nullptr)
+  void wrap(std::uint32_t slot, double shift, double time, ThreadBuffer* buffer = nullptr)
   {
-    moveTo(slot, image(shift, time), time, share);
+    moveTo(slot, image(shift, time), time, buffer);
   }
 
   /// Wraps a disk on a periodic base by the number of widths that brings `s`, its position along the base,
   /// into [0, W). Does nothing while the base turns, because a disk is then wrapped only when it passes an
   /// end.
-  void wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* share = nullptr);
+  void wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* buffer = nullptr);
 
   /// The disk passes an end of the base: into the bin, or on a periodic base to its image at the other end.
-  void passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* share = nullptr);
+  void passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* buffer = nullptr);
 
   /// Takes what a thread has observed. Observers are told of it by EventLog::deliver().
-  void merge(ThreadBuffer&& share);
+  void merge(ThreadBuffer&& buffer);
 
   /// What events without a collapse change of the disks, until their ThreadBuffer is merged.
   struct Snapshot
@@ -245,7 +245,7 @@ public:
 private:
   void setTimeResolution();
   void wrapAll(double time);
-  void moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* share);
+  void moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* buffer);
 
   SceneDefinition scene_;
   std::vector<Sizes> sizes_;  ///< per species

@@ -64,7 +64,7 @@ public:
 
   bool wantsFlights() const { return of_flights_; }
   void flew(const Flight& flight) { add(PendingReport(flight)); }
-  void left(const Departure& departure)
+  void departed(const Departure& departure)
   {
     ++departures;
     add(PendingReport(departure));
