@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "finest_disk.h"
 #include "plausibility.h"
-#include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/scene/shown_text.h"
 #include "schema.h"

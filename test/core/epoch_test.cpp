@@ -112,8 +112,8 @@ TEST(Epoch, ContactsAfterAMillionSecondsAreAsExactAsAtTheStart)
   {
     const SceneDefinition scene = test::mixture(40);
     ASSERT_EQ(scene.species[0].radius, LargestGap::RADIUS);
-    Engine engine(scene, planOf(scene), start, {});
-    const LargestGap* gaps = engine.state().observers().add(std::make_unique<LargestGap>());
+    Engine engine(scene, start, {});
+    const LargestGap* gaps = engine.state().log().add(std::make_unique<LargestGap>());
     engine.advanceTo(start + 5.0);
     EXPECT_GT(gaps->contacts, 10000u);
     EXPECT_LT(gaps->largest, 2e-12) << start;

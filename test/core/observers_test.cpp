@@ -1,5 +1,5 @@
 // What the observers of contacts record for given outcomes.
-#include "state/observers.h"
+#include "state/event_log.h"
 
 #include <memory>
 #include <vector>
@@ -93,9 +93,9 @@ TEST(Observers, TakeTheOverlapOfEveryContactAndCountWhatClosed)
   test::addDisk(system, Disk());
   ContactOutcome overlapping = opening(onBase(0, CollisionKind::WALL));
   overlapping.overlap = 1e-9;
-  system.observers().collided(overlapping);
-  EXPECT_EQ(system.observers().counts().collisions.total(), 0u);
-  EXPECT_EQ(system.observers().counts().max_overlap, 1e-9);
+  system.collided(overlapping);
+  EXPECT_EQ(system.sums().contacts.counts.collisions.total(), 0u);
+  EXPECT_EQ(system.sums().contacts.counts.max_overlap, 1e-9);
   EXPECT_EQ(system.baseImpulse(), Eigen::Vector2d(0.0, 0.0));
 }
 
@@ -111,13 +111,12 @@ TEST(Observers, TellWhatClosedByIdsAndInTheRunsTime)
   ASSERT_TRUE(system.compact());
 
   std::vector<CollisionRecord> told;
-  Observers& observers = system.observers();
-  observers.observeCollisions([&](const CollisionRecord& collision) { told.push_back(collision); });
-  observers.collided(ofPair(0, 1, local));
-  observers.collided(opening(onBase(1, CollisionKind::WALL, local)));
-  observers.collided(onBase(1, CollisionKind::WALL, local));
-  observers.observeCollisions({});
-  observers.collided(onBase(1, CollisionKind::WALL, local));
+  system.log().observeCollisions([&](const CollisionRecord& collision) { told.push_back(collision); });
+  system.collided(ofPair(0, 1, local));
+  system.collided(opening(onBase(1, CollisionKind::WALL, local)));
+  system.collided(onBase(1, CollisionKind::WALL, local));
+  system.log().observeCollisions({});
+  system.collided(onBase(1, CollisionKind::WALL, local));
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[0].time, 1000.25);
   EXPECT_EQ(told[0].kind, CollisionKind::DISK_DISK);
@@ -129,7 +128,7 @@ TEST(Observers, TellWhatClosedByIdsAndInTheRunsTime)
   EXPECT_EQ(told[1].kind, CollisionKind::WALL);
   EXPECT_EQ(told[1].i, GONE + 1);
   EXPECT_FALSE(told[1].j);
-  EXPECT_EQ(observers.counts().collisions.total(), 3u);
+  EXPECT_EQ(system.sums().contacts.counts.collisions.total(), 3u);
 }
 
 /// Times round when the zero of time is moved.
@@ -178,7 +177,7 @@ public:
     rotation += 0.5 * elapsed * disk.spin * disk.spin;
   }
 
-  void left(const Departure& departure) override
+  void departed(const Departure& departure) override
   {
     inOrder(departure.time);
     EXPECT_NEAR(begins[system_.id(departure.slot)], system_.epoch().start + departure.time, ROUNDING);
@@ -209,8 +208,7 @@ private:
 struct Followed
 {
   explicit Followed(const SceneDefinition& scene)
-      : engine(scene, planOf(scene), 0.0, {}),
-        follower(engine.state().observers().add(std::make_unique<Follower>(engine.state())))
+      : engine(scene, 0.0, {}), follower(engine.state().log().add(std::make_unique<Follower>(engine.state())))
   {
   }
 

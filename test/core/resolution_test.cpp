@@ -59,20 +59,5 @@ TEST(Resolution, AnEpochIsAPowerOfTwoOfEightTimeScalesOrMore)
   EXPECT_EQ(epochLength(1.0 / 23.0), 0.5);
 }
 
-TEST(Resolution, TheFinestDiskComesOfTheLargestPlaceOrTheFastestSpeed)
-{
-  SceneDefinition scene = test::mixture(1);
-  // Four roundings of 2^-52 over 1e-9: 8.9e-7 of the width.
-  scene.base.teeth = 5000;
-  EXPECT_NEAR(finestDisk(scene).radius, 8.88e-7 * 100.0, 1e-6);
-  EXPECT_EQ(finestDisk(scene).reason, "the base's width is 100 m");
-  // 6283 m/s times four roundings of 1/64 s.
-  scene.base.teeth = 5;
-  scene.base.frequency = 1000.0;
-  scene.base.amplitude = 1.0;
-  EXPECT_NEAR(finestDisk(scene).radius, 6283.2 * 8.88e-16 / 64.0 / 1e-9, 1e-7);
-  EXPECT_EQ(finestDisk(scene).reason, "the drive's speed is 6283.19 m/s");
-}
-
 }  // namespace
 }  // namespace ratchet_sieve

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "profiles.h"
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "runs.h"
 #include "scenes.h"

@@ -106,14 +106,14 @@ std::vector<Sum> Averages::sums(const Series<Sum>& series, double time) const
 std::vector<BlockSum> Averages::exits() const
 {
   std::vector<BlockSum> exits;
-  for (const SpeciesBins& bins : system_.observers().bins())
+  for (const SpeciesBins& bins : system_.log().bins())
     exits.push_back({static_cast<double>(bins.left), static_cast<double>(bins.counted())});
   return exits;
 }
 
-void Averages::compact(const Compaction& compaction)
+void Averages::forget(const std::vector<std::uint32_t>& slots)
 {
-  for (const std::uint32_t slot : compaction.gone)
+  for (const std::uint32_t slot : slots)
   {
     if (!system_.record(slot).counts())
       continue;
@@ -123,7 +123,7 @@ void Averages::compact(const Compaction& compaction)
   }
 }
 
-void Averages::restart(double /*time*/)
+void Averages::restart()
 {
   means_.begin(means_.blocks.size());
   groups_.begin(groups_.blocks.size());
@@ -183,7 +183,7 @@ std::vector<SpeciesMeans> Averages::means(double time) const
     means.push_back(meansOf(s, all));
     if (all[s].path.weight > 0.0)
       means[s].collision_rate =
-          static_cast<double>(system_.observers().speciesContacts().of(s)) / all[s].path.weight;
+          static_cast<double>(system_.sums().contacts.of_species[s]) / all[s].path.weight;
   }
   return means;
 }

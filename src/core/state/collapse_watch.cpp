@@ -5,8 +5,6 @@
 #include <sstream>
 #include <tuple>
 
-#include "ratchet_sieve/core/count_text.h"
-
 namespace ratchet_sieve
 {
 namespace
@@ -67,8 +65,7 @@ std::string CollapseWatch::text() const
   if (first_stuck_)
     text << ", although its slow contacts were lossless: it has no room";
   else if (!stops_)
-    text << ", the first of " << countText(counts_.count, "time")
-         << "; its slow contacts were lossless for a while";
+    text << "; its slow contacts were lossless for a while; collapses so far: " << counts_.count;
   else if (contact_.min_rebound_speed < floorOf(HELPFUL_LEVEL))
     text << "; a contact.min_rebound_speed of " << floorOf(HELPFUL_LEVEL)
          << " m/s or more may avoid it, or contact.on_collapse: rebound, if the disk has room";

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
+#include "state/disk_ids.h"
 #include "state/disk_record.h"
-#include "state/observer.h"
 
 namespace ratchet_sieve
 {

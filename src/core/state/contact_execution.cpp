@@ -15,9 +15,9 @@ double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 }
 }  // namespace
 
-ContactExecution::ContactExecution(SystemState& system, ThreadBuffer* share)
+ContactExecution::ContactExecution(SystemState& system, ThreadBuffer* buffer)
     : system_(system),
-      share_(share),
+      buffer_(buffer),
       law_(system.scene().contact),
       spin_(system.plan().spin),
       contact_times_(system.plan().contact_times)
@@ -65,7 +65,7 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
     push(slot, outcome, 1.0);
     system_.record(slot).base_impulse += impulseOf(outcome);
   }
-  system_.observers().collided(outcome, share_);
+  system_.collided(outcome, buffer_);
   return outcome;
 }
 
@@ -106,7 +106,7 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
     push(i, outcome, 1.0);
     push(j, outcome, -1.0);
   }
-  system_.observers().collided(outcome, share_);
+  system_.collided(outcome, buffer_);
   return outcome;
 }
 
@@ -129,7 +129,7 @@ void ContactExecution::push(std::uint32_t slot, const ContactOutcome& contact, d
   const DiskProperties& properties = system_.properties(slot);
   const Eigen::Vector2d velocity = sign / properties.mass * impulseOf(contact);
   system_.redirect(slot, {Two{}, twoOf(velocity), -properties.spin_response * contact.tangential_impulse},
-                   contact.time, share_);
+                   contact.time, buffer_);
   if (contact_times_)
     system_.record(slot).last_contact = contact.time;
 }

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "model/collision_law.h"
-#include "state/observer.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -16,8 +15,9 @@ class ContactExecution
 {
 public:
   /// @param system outlives this
-  /// @param share of the thread, if several advance disks at the same time: see Observers; outlives this
-  explicit ContactExecution(SystemState& system, ThreadBuffer* share = nullptr);
+  /// @param buffer of the thread, if several advance disks at the same time: see SystemState::collided();
+  /// outlives this
+  explicit ContactExecution(SystemState& system, ThreadBuffer* buffer = nullptr);
 
   /// Executes a disk's event with the base: a contact, or the passage of an end.
   /// @return whether the disk's flight has changed
@@ -25,7 +25,7 @@ public:
   {
     if (!feature.isEnd())
       return collideWithBase(slot, feature, time, base).closed;
-    system_.passEnd(slot, feature.kind() == BaseFeatureKind::RIGHT_END, time, share_);
+    system_.passEnd(slot, feature.kind() == BaseFeatureKind::RIGHT_END, time, buffer_);
     return true;
   }
 
@@ -56,7 +56,7 @@ private:
   void push(std::uint32_t slot, const ContactOutcome& contact, double sign);
 
   SystemState& system_;
-  ThreadBuffer* share_;
+  ThreadBuffer* buffer_;
   CollisionLaw law_;
   bool spin_;
   bool contact_times_;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "search/size_levels.h"
 
@@ -64,20 +64,13 @@ double latticeTurn(const SceneDefinition& scene, double lattice_diameter, bool w
   return wide ? LATTICE_MARGIN_OF_WIDE * diameters
               : std::min(std::sqrt(2.0 * LATTICE_MARGIN * diameters), LATTICE_ROWS * diameters);
 }
-
-const Plan& covering(const Plan& plan, const SceneDefinition& scene)
-{
-  if (!covers(plan, scene))
-    throw std::invalid_argument("the plan does not cover the scene: " + planText(plan));
-  return plan;
-}
 }  // namespace
 
-SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
+SystemState::SystemState(const SceneDefinition& scene)
     : scene_(scene),
       sizes_(scene.species.begin(), scene.species.end()),
       size_classes_(ratchet_sieve::sizeClasses(scene)),
-      plan_(covering(plan, scene)),
+      plan_(planOf(scene)),
       shape_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
       lattice_diameter_(ratchet_sieve::latticeDiameter(scene, largest_diameter_)),
@@ -85,11 +78,12 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       time_scale_(ratchet_sieve::timeScale(scene)),
       epoch_{0.0, std::min(epochLength(time_scale_),
                            longestFall(scene.gravity, ratchet_sieve::smallestRadius(scene)))},
-      motion_(scene.base, 2.0 * lattice_turn_, plan.drive && !planOf(scene).drive),
-      search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
+      motion_(scene.base, 2.0 * lattice_turn_),
+      search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length)),
       pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), records_, ids_),
-      observers_(*this)
+      sums_{ContactSums(scene.species.size()), Averages(*this), EnergyWatch(*this)},
+      log_(*this)
 {
 }
 
@@ -124,7 +118,6 @@ void SystemState::reserve(std::size_t count)
 {
   disks_.reserve(count);
   records_.reserve(count);
-  observers_.reserve(count);
 }
 
 std::uint32_t SystemState::add(Disk disk, const DiskProperties& properties, double time)
@@ -137,7 +130,7 @@ std::uint32_t SystemState::add(Disk disk, const DiskProperties& properties, doub
   moveZero(disk, -time, scene_.gravity);
   record.fly(disk, time, scene_.gravity, -1.0);
   collapse_watch_.added(properties.mass);
-  observers_.entered(disk, time);
+  log_.entered(disk, time);
   const auto slot = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back(disk);
   records_.push_back(record);
@@ -179,22 +172,23 @@ bool SystemState::compact()
   const std::size_t gone = disks_.size() - active_count_;
   if (gone < LEAST_COMPACTED || gone <= active_count_)
     return false;
-  const Compaction compaction{slots(true), slots(false)};
-  observers_.compact(compaction);
-  ids_.keep(compaction.kept);
-  keepSlots(disks_, compaction.kept);
-  for (const std::uint32_t slot : compaction.gone)
+  const std::vector<std::uint32_t> kept = slots(true), forgotten = slots(false);
+  sums_.averages.forget(forgotten);
+  for (const std::uint32_t slot : forgotten)
     impulse_of_gone_ += records_[slot].base_impulse;
-  keepSlots(records_, compaction.kept);
+  log_.keep(kept);
+  ids_.keep(kept);
+  keepSlots(disks_, kept);
+  keepSlots(records_, kept);
   return true;
 }
 
-void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* share)
+void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* buffer)
 {
   if (scene_.boundary == Boundary::PERIODIC)
-    return wrap(slot, to_the_right ? -1.0 : 1.0, time, share);
+    return wrap(slot, to_the_right ? -1.0 : 1.0, time, buffer);
   Disk& disk = disks_[slot];
-  observers_.flew({slot, disk, time}, share);
+  log_.flew({slot, disk, time}, buffer);
   disk.position = positionAt(disk, time, scene_.gravity);
   disk.countEvent();
   DiskRecord& record = records_[slot];
@@ -203,20 +197,23 @@ void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, Th
   record.active = false;
   const Departure departure{slot, disk.species, record.properties.mass,
                             to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time};
-  if (share == nullptr)
+  if (buffer == nullptr)
     --active_count_;
-  observers_.left(departure, share);
+  log_.departed(departure, buffer);
 }
 
-void SystemState::merge(ThreadBuffer&& share)
+void SystemState::merge(ThreadBuffer&& buffer)
 {
-  active_count_ -= share.departures();
-  observers_.merge(std::move(share));
+  active_count_ -= buffer.departures;
+  sums_.contacts.add(buffer.contacts);
+  log_.take(std::exchange(buffer.reports, {}));
 }
 
 void SystemState::restart(double time)
 {
-  observers_.restart(time);
+  sums_.contacts.restart();
+  sums_.averages.restart();
+  log_.restart(time);
   for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
     records_[slot].count(disks_[slot], time, epoch_.start, scene_.gravity);
   impulse_of_gone_.setZero();
@@ -230,18 +227,18 @@ Eigen::Vector2d SystemState::baseImpulse() const
   return sum;
 }
 
-void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* share)
+void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* buffer)
 {
-  redirect(slot, {twoOf(image.shift), twoOf(image.velocity)}, time, share);
+  redirect(slot, {twoOf(image.shift), twoOf(image.velocity)}, time, buffer);
   records_[slot].offset -= image.shift.x();
 }
 
-void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* share)
+void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* buffer)
 {
   if (scene_.boundary != Boundary::PERIODIC || motion_.turning())
     return;
   if (const double widths = widthsOutside(s); widths != 0.0)
-    wrap(slot, -widths, time, share);
+    wrap(slot, -widths, time, buffer);
 }
 
 /// Wraps all disks when the base begins to turn. Before, an image moves exactly as its disk does.
@@ -261,18 +258,18 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, records_, active_count_, impulse_of_gone_, ids_, observers_.sizeClassBins(),
+  state(epoch_, motion_, disks_, records_, active_count_, impulse_of_gone_, ids_, log_.sizeClassBins(),
         collapse_watch_);
   setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene =
-      observers_.sizeClassBins().size() == size_classes_.size() && records_.size() == count &&
-      ids_.fits(count) &&
+      log_.sizeClassBins().size() == size_classes_.size() && records_.size() == count && ids_.fits(count) &&
       std::all_of(disks_.begin(), disks_.end(),
                   [this](const Disk& disk) { return disk.species < scene_.species.size(); });
   if (!of_this_scene)
     throw StateError("it is of another scene");
-  observers_.archive(state, count);
+  state(sums_);
+  log_.archive(state, count);
 }
 
 std::vector<double> SystemState::activeRadii() const
@@ -301,8 +298,8 @@ double SystemState::shortenEpoch(double now)
 
 void SystemState::rebase(double length)
 {
-  observers_.endSegment(length);
-  observers_.rebase(length);
+  log_.endSegment(length);
+  log_.rebase(length);
   motion_.rebase(length);
   for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
   {
