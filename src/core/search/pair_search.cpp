@@ -200,8 +200,8 @@ struct PairSearch::Lanes
 /// Computes as contactWith() and timeToContact() do, two disks at a time. First, whether each will be
 /// touched, without a branch. Then the times of those that will, four at a time, because most will not, and a
 /// root is slow.
-PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
-                                     const Image& image) const
+inline PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
+                                            const Image& image) const
 {
   Lanes lanes(*this, others, count, image);
   PairContact first;

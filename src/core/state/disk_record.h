@@ -21,9 +21,9 @@ struct CollapseWindow
   void archive(StateArchive& state) { state(end, events, level); }
 };
 
-/// What is kept of a disk besides its flight: its properties, and sums over its stay in the machine, which include
-/// its present flight up to the epoch's zero, as if it were on it then. Kept after the disk has left. Two cache
-/// lines; most events change the first alone. Times are the run's unless stated otherwise.
+/// What is kept of a disk besides its flight: its properties, and sums over its stay in the machine, which
+/// include its present flight up to the epoch's zero, as if it were on it then. Kept after the disk has left.
+/// Two cache lines; most events change the first alone. Times are the run's unless stated otherwise.
 struct alignas(64) DiskRecord
 {
   /// Value of counted_from for disks that had left before the counting began.
@@ -36,13 +36,15 @@ struct alignas(64) DiskRecord
   double angle = 0.0;        ///< [rad]
   bool active = true;        ///< whether it is in the machine
 
-  double last_contact = -std::numeric_limits<double>::infinity();  ///< local to the epoch, if the plan needs it [s]
-  Eigen::Vector2d base_impulse = Eigen::Vector2d::Zero();  ///< from the base since the means began, world [N s]
-  double entered_x = 0.0;     ///< [m]
-  double offset = 0.0;        ///< unwraps x [m]
-  double counted_x = 0.0;     ///< unwrapped x at the start of the counting [m]
-  double counted_from = 0.0;  ///< [s]; or NEVER
-  double left_when = 0.0;     ///< [s]
+  double last_contact =
+      -std::numeric_limits<double>::infinity();  ///< local to the epoch, if the plan needs it [s]
+  Eigen::Vector2d base_impulse =
+      Eigen::Vector2d::Zero();  ///< from the base since the means began, world [N s]
+  double entered_x = 0.0;       ///< [m]
+  double offset = 0.0;          ///< unwraps x [m]
+  double counted_x = 0.0;       ///< unwrapped x at the start of the counting [m]
+  double counted_from = 0.0;    ///< [s]; or NEVER
+  double left_when = 0.0;       ///< [s]
 
   /// Whether any part of its stay counts.
   bool counts() const { return counted_from < NEVER; }
@@ -88,8 +90,8 @@ struct alignas(64) DiskRecord
 
   void archive(StateArchive& state)
   {
-    state(properties, window, translation, rotation, angle, active, last_contact, base_impulse, entered_x, offset,
-          counted_x, counted_from, left_when);
+    state(properties, window, translation, rotation, angle, active, last_contact, base_impulse, entered_x,
+          offset, counted_x, counted_from, left_when);
   }
 };
 
