@@ -13,7 +13,7 @@ UNITS: dict[str, Any] = {
     **OF_SPECIES,
     **dict.fromkeys(("seed", "plan", "events", "collisions", "short_to_long", "contacts_by_face", "quality",
                      "separation", "separation_by_mass", "pair_qualities", "processed", "purity", "recovery",
-                     "collapses", "through_base", "pushed_out", "warnings", "counted", "steady_reason"), ""),
+                     "collapses", "through_base", "pushed_out", "warnings", "counted"), ""),
     **dict.fromkeys(("energy_start", "energy_end"), "J"),
     "simulated_time": "s", "wall_time": "s", "base_impulse": "N s", "max_overlap": "m", "throughput": "1/s",
     "species": OF_SPECIES,

@@ -25,10 +25,30 @@ constexpr double LARGEST_STATISTIC = 0.74346;
 /// A change of the mean from the second to the last quarter is told from noise at this many standard errors.
 constexpr double CLEAR_CHANGE = 2.0;
 
-/// The squared error of the sum of the blocks, for each block; 0 if the series does not tell it.
+/// The blocks less a straight line through their deviations from the mean.
+std::vector<BlockSum> withoutTrend(std::vector<BlockSum> blocks)
+{
+  const BlockSum all = sumOf(blocks);
+  const double middle = 0.5 * static_cast<double>(blocks.size() - 1);
+  double products = 0.0;
+  double squares = 0.0;
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+  {
+    const double age = static_cast<double>(k) - middle;
+    products += (blocks[k].sum - all.sum / all.weight * blocks[k].weight) * age;
+    squares += blocks[k].weight * age * age;
+  }
+  if (squares > 0.0)
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+      blocks[k].sum -= products / squares * blocks[k].weight * (static_cast<double>(k) - middle);
+  return blocks;
+}
+
+/// The squared error of the sum of the blocks, for each block, as of blocks without a trend; 0 if the series
+/// does not tell it.
 double noiseOf(const std::vector<BlockSum>& blocks)
 {
-  const std::optional<BlockError> found = seriesError(blocks);
+  const std::optional<BlockError> found = seriesError(withoutTrend(blocks));
   const double error = found ? found->error * sumOf(blocks).weight : 0.0;
   return error * error / static_cast<double>(blocks.size());
 }

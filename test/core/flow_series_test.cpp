@@ -42,7 +42,7 @@ TEST_P(FlowOfASieve, AddsUpToTheBinsSinceSettle)
   for (std::size_t s = 0; s < 2; ++s)
   {
     const SpeciesFlow& flow = series.species[s];
-    const SpeciesBins& now = simulation.bins()[s];
+    const SpeciesBins now = simulation.bins()[s];
     ASSERT_EQ(flow.inside.size(), blocks);
     EXPECT_GT(now.left, before[s].left);
     EXPECT_EQ(sumOver(flow.left.number), static_cast<double>(now.left - before[s].left));

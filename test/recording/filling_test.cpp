@@ -91,13 +91,13 @@ Filling foundIn(const FlowSeries& series)
   return fillingOf(series, {"A", "B"});
 }
 
-constexpr std::uint64_t SEEDS = 200;
+constexpr std::uint64_t QUEUES = 200;
 
 /// Of how many seeds the reason begins so.
 std::uint64_t refusals(const Queue& queue, double duration, const std::string& begin)
 {
   std::uint64_t count = 0;
-  for (std::uint64_t seed = 1; seed <= SEEDS; ++seed)
+  for (std::uint64_t seed = 1; seed <= QUEUES; ++seed)
   {
     const Filling filling = foundIn(seriesOf(queue, duration, seed));
     if (!filling.blocks && filling.reason.compare(0, begin.size(), begin) == 0)
@@ -112,7 +112,7 @@ TEST(Filling, IsFoundAndWhatIsLeftIsUnbiased)
   std::uint64_t found = 0;
   double inside = 0.0;
   double earliest = 1e9;
-  for (std::uint64_t seed = 1; seed <= SEEDS; ++seed)
+  for (std::uint64_t seed = 1; seed <= QUEUES; ++seed)
   {
     const FlowSeries series = seriesOf(queue, 120.0, seed);
     const Filling filling = foundIn(series);
@@ -123,7 +123,7 @@ TEST(Filling, IsFoundAndWhatIsLeftIsUnbiased)
     const BlockSum rest = sumOf(blocksFrom(series.species[0].inside, *filling.blocks));
     inside += rest.sum / rest.weight;
   }
-  EXPECT_GE(found, SEEDS * 95 / 100);
+  EXPECT_GE(found, QUEUES * 95 / 100);
   // The time constant is 8 s. Of 120 runs that end after 15 of them the mean has an error of 1.5 %.
   EXPECT_GT(earliest, 2.0 * queue.stay);
   EXPECT_NEAR(inside / static_cast<double>(found), queue.rate * queue.stay, 0.02 * queue.rate * queue.stay);
@@ -133,7 +133,7 @@ TEST(Filling, IsNotFoundWhereSomeNeverLeave)
 {
   Queue queue;
   queue.stuck = 0.2;
-  EXPECT_GE(refusals(queue, 240.0, "still filling: "), SEEDS * 98 / 100);
+  EXPECT_GE(refusals(queue, 240.0, "still filling: "), QUEUES * 98 / 100);
   const Filling filling = foundIn(seriesOf(queue, 240.0, 1));
   EXPECT_TRUE(filling.reason.find(" inside after 240 s and rising") != std::string::npos) << filling.reason;
 }
@@ -142,7 +142,7 @@ TEST(Filling, IsNotFoundWithinThreeResidenceTimes)
 {
   Queue queue;
   queue.stay = 30.0;
-  EXPECT_EQ(refusals(queue, 120.0, ""), SEEDS);
+  EXPECT_EQ(refusals(queue, 120.0, ""), QUEUES);
   const std::string reason = foundIn(seriesOf(queue, 3.0, 1)).reason;
   EXPECT_EQ(reason, "too short: 3 s, but 4.8 s are needed to tell");
 }
@@ -152,7 +152,7 @@ TEST(Filling, IsNotFoundWhileAHeapRunsOff)
   Queue queue;
   queue.stay = 40.0;
   queue.at_start = 2000.0;
-  EXPECT_GE(refusals(queue, 120.0, "still emptying: "), SEEDS * 98 / 100);
+  EXPECT_GE(refusals(queue, 120.0, "still emptying: "), QUEUES * 98 / 100);
 }
 
 TEST(Filling, IsNotFoundWhileWhatLeavesDrifts)
@@ -162,7 +162,7 @@ TEST(Filling, IsNotFoundWhileWhatLeavesDrifts)
   queue.stay = 1.0;
   queue.left = [](double time) { return 0.3 + 0.4 * time / 240.0; };
   EXPECT_GE(refusals(queue, 240.0, "not settled: the share of A that leaves to the left drifts"),
-            SEEDS * 95 / 100);
+            QUEUES * 95 / 100);
 }
 
 TEST(Filling, CutsWhatLeftBeforeTheShareSettled)
@@ -172,13 +172,13 @@ TEST(Filling, CutsWhatLeftBeforeTheShareSettled)
   queue.stay = 1.0;
   queue.left = [](double time) { return time < 60.0 ? 0.9 : 0.5; };
   std::uint64_t cut = 0;
-  for (std::uint64_t seed = 1; seed <= SEEDS; ++seed)
+  for (std::uint64_t seed = 1; seed <= QUEUES; ++seed)
   {
     const FlowSeries series = seriesOf(queue, 240.0, seed);
     const Filling filling = foundIn(series);
     cut += filling.blocks && static_cast<double>(*filling.blocks) * series.block_time > 45.0 ? 1 : 0;
   }
-  EXPECT_GE(cut, SEEDS * 95 / 100);
+  EXPECT_GE(cut, QUEUES * 95 / 100);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ SceneDefinition fedMixture()
   return scene;
 }
 
-nlohmann::ordered_json summaryOf(const SceneDefinition& scene)
+nlohmann::ordered_json endOfRun(const SceneDefinition& scene)
 {
   Simulation simulation(scene);
   const RunOutcome outcome = runToEnd(simulation, {});
@@ -30,7 +30,7 @@ nlohmann::ordered_json summaryOf(const SceneDefinition& scene)
 
 std::string reasonOf(const SceneDefinition& scene)
 {
-  const nlohmann::ordered_json summary = summaryOf(scene);
+  const nlohmann::ordered_json summary = endOfRun(scene);
   EXPECT_TRUE(summary.at("steady").is_null());
   return summary.at("steady_reason").get<std::string>();
 }
@@ -71,7 +71,7 @@ TEST(Steady, IsWhatLeftSinceTheMachineHasFilled)
 
 TEST(Steady, HasItsNumbersWithErrorsInTheSummary)
 {
-  const nlohmann::ordered_json summary = summaryOf(fedMixture());
+  const nlohmann::ordered_json summary = endOfRun(fedMixture());
   EXPECT_TRUE(summary.at("steady_reason").is_null());
   const nlohmann::ordered_json& steady = summary.at("steady");
   std::string keys;
@@ -117,9 +117,8 @@ TEST(Steady, HasAReasonWhereThereIsNone)
   for (SpeciesDefinition& species : sparse.species)
     species.count = 0;
   EXPECT_EQ(reasonOf(sparse).substr(0, 14), "too few left: ");
-  SceneDefinition choked = fedMixture();
-  choked.base.amplitude = 1e-4;
-  choked.base.inclination = 0.0;
+  SceneDefinition choked = chokedFeeder();
+  choked.feed.on_choke = ChokeAction::STOP;
   EXPECT_EQ(reasonOf(choked).substr(0, 20), "the base is choked: ");
 }
 

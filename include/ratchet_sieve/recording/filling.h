@@ -25,8 +25,8 @@ struct Filling
 ///   throughput: J. D. C. Little, Oper. Res. 9, 383 (1961), doi:10.1287/opre.9.3.383.
 /// - Neither the number inside of a species nor the share of it that leaves on the left drifts in the rest:
 ///   the Cramer-von Mises test of P. Heidelberger and P. D. Welch, Oper. Res. 31, 1109 (1983),
-///   doi:10.1287/opre.31.6.1109, at 1 %. The noise is that of the second half of the series (seriesError()),
-///   but at least that of disks which are fed, convey and part independently of each other.
+///   doi:10.1287/opre.31.6.1109, at 1 %. The noise is that of the second half of the series (seriesError())
+///   about a straight line, but at least that of disks which are fed, convey and part independently of each other.
 /// @param names of the species
 Filling fillingOf(const FlowSeries& series, const std::vector<std::string>& names);
 
