@@ -22,6 +22,9 @@ constexpr std::size_t POINTS_CUT = 2;
 /// than the scatter of the batches.
 constexpr std::size_t BATCHES = 64;
 
+/// See correlatedHalfWidth().
+constexpr std::size_t SCATTERED_BATCHES = 10;
+
 /// Number of blocks for finding the transient, if the errors come from groups.
 constexpr double BLOCKS_OF_GROUPS = 32.0;
 
@@ -134,21 +137,6 @@ double countedHalfWidth(const Share& a, const Share& b, double confidence)
   return std::max(std::hypot(a.left - low_a, high_b - b.left), std::hypot(high_a - a.left, b.left - low_b));
 }
 
-/// The difference of the fractions per block, relative to the overall one.
-std::vector<BlockSum> deviations(const std::vector<BlockSum>& a, const std::vector<BlockSum>& b)
-{
-  const BlockSum all_a = sumOf(a);
-  const BlockSum all_b = sumOf(b);
-  std::vector<BlockSum> blocks;
-  if (all_a.weight <= 0.0 || all_b.weight <= 0.0)
-    return blocks;
-  const auto deviation = [](const BlockSum& block, const BlockSum& all)
-  { return (block.sum - all.sum / all.weight * block.weight) / all.weight; };
-  for (std::size_t k = 0; k < a.size(); ++k)
-    blocks.push_back({deviation(a[k], all_a) - deviation(b[k], all_b), 1.0 / static_cast<double>(a.size())});
-  return blocks;
-}
-
 /// Largest change of the fraction by the disks still in the machine.
 double open(const Share& share, const SpeciesBins& bins)
 {
@@ -175,6 +163,30 @@ double halfWidthOver(double confidence, std::size_t blocks)
   if (blocks == 0)
     return quantile(boost::math::normal(), upper);
   return quantile(boost::math::students_t(static_cast<double>(blocks - 1)), upper);
+}
+
+std::optional<double> correlatedHalfWidth(const std::vector<BlockSum>& blocks, double confidence)
+{
+  const std::optional<BlockError> found = seriesError(blocks);
+  if (!found)
+    return std::nullopt;
+  const std::vector<BlockSum> batches = batchesOf(blocks, blocks.size() / SCATTERED_BATCHES);
+  return std::max(halfWidthOver(confidence, found->blocks) * found->error,
+                  halfWidthOver(confidence, batches.size()) * scatterError(batches));
+}
+
+std::vector<BlockSum> separationDeviations(const std::vector<BlockSum>& a, const std::vector<BlockSum>& b)
+{
+  const BlockSum all_a = sumOf(a);
+  const BlockSum all_b = sumOf(b);
+  std::vector<BlockSum> blocks;
+  if (all_a.weight <= 0.0 || all_b.weight <= 0.0)
+    return blocks;
+  const auto deviation = [](const BlockSum& block, const BlockSum& all)
+  { return (block.sum - all.sum / all.weight * block.weight) / all.weight; };
+  for (std::size_t k = 0; k < a.size(); ++k)
+    blocks.push_back({deviation(a[k], all_a) - deviation(b[k], all_b), 1.0 / static_cast<double>(a.size())});
+  return blocks;
 }
 
 double timesForTrust(const std::vector<BlockSum>& series, const BlockError& error)
@@ -228,7 +240,7 @@ std::optional<SeparationEstimate> separationEstimate(const std::vector<SpeciesBi
     found.estimate = {*pair.separation, found.sampled + rest};
     return found;
   }
-  const std::vector<BlockSum> blocks = deviations(exits[pair.first], exits[pair.second]);
+  const std::vector<BlockSum> blocks = separationDeviations(exits[pair.first], exits[pair.second]);
   const std::optional<BlockError> in_time = seriesError(blocks);
   if (!in_time)
     return std::nullopt;

@@ -17,10 +17,10 @@ ProportionInterval wilsonInterval(double share, double count, double z)
 std::optional<double> correlationOf(const Portion& portion, double confidence)
 {
   const BlockSum all = sumOf(portion.number);
-  const std::optional<BlockError> found = seriesError(portion.number);
-  if (!found || all.sum <= 0.0 || all.sum >= all.weight)
+  const std::optional<double> half_width = correlatedHalfWidth(portion.number, confidence);
+  if (!half_width || all.sum <= 0.0 || all.sum >= all.weight)
     return std::nullopt;
-  const double error = found->error * halfWidthOver(confidence, found->blocks) / halfWidthOver(confidence, 0);
+  const double error = *half_width / halfWidthOver(confidence, 0);
   const double share = all.sum / all.weight;
   return std::max(1.0, error * error * all.weight / (share * (1.0 - share)));
 }
@@ -50,8 +50,8 @@ PortionEstimates portionEstimates(const Portion& portion, double correlation, do
   };
   const double value = mass.sum / mass.weight;
   double half_width = halfWidth(value, {by_mass(ends.low), by_mass(ends.high)});
-  if (const std::optional<BlockError> found = seriesError(portion.mass))
-    half_width = std::max(half_width, found->error * halfWidthOver(confidence, found->blocks));
+  if (const std::optional<double> of_blocks = correlatedHalfWidth(portion.mass, confidence))
+    half_width = std::max(half_width, *of_blocks);
   estimates.mass = Estimate{value, half_width};
   return estimates;
 }

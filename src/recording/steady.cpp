@@ -52,8 +52,9 @@ class SteadyPart
 public:
   SteadyPart(const FlowSeries& series, std::size_t first, const SceneDefinition& scene) : scene_(scene)
   {
-    const auto bin_from = [first](const BinFlow& bin)
-    { return BinFlow{blocksFrom(bin.number, first), blocksFrom(bin.mass, first)}; };
+    const auto bin_from = [first](const BinFlow& bin) {
+      return BinFlow{blocksFrom(bin.number, first), blocksFrom(bin.mass, first)};
+    };
     for (const SpeciesFlow& species : series.species)
     {
       species_.push_back(
@@ -62,8 +63,8 @@ public:
       exits_ = exits_.number.empty() ? bothBins(species_.size() - 1) : exits_ + bothBins(species_.size() - 1);
     }
     for (const SpeciesFlow& species : species_)
-      correlation_ = std::max(correlation_,
-                              correlationOf(portionOf(species.left, species.right), confidence()).value_or(1.0));
+      correlation_ = std::max(
+          correlation_, correlationOf(portionOf(species.left, species.right), confidence()).value_or(1.0));
   }
 
   double exits() const { return numberOf(exits_); }
@@ -82,12 +83,18 @@ public:
     return bins;
   }
 
-  std::optional<SeparationEstimate> separation() const
+  /// Of a pair of species; nothing if what leaves is too correlated.
+  std::optional<Estimate> separation(const PairSeparation& pair) const
   {
     std::vector<std::vector<BlockSum>> exits;
     for (const SpeciesFlow& species : species_)
       exits.push_back(leftShare(species.left.number, species.right.number));
-    return separationEstimate(bins(), exits, confidence());
+    const std::optional<double> of_blocks =
+        correlatedHalfWidth(separationDeviations(exits[pair.first], exits[pair.second]), confidence());
+    std::optional<SeparationEstimate> found = separationEstimate(bins(), exits, confidence());
+    if (!found || !of_blocks)
+      return std::nullopt;
+    return Estimate{found->estimate.value, std::max(found->estimate.half_width, *of_blocks)};
   }
 
   /// The error is at least that of disks that are fed and move independently of each other; see fillingOf().
@@ -96,9 +103,8 @@ public:
     const BlockSum all = sumOf(inside_);
     const double independent = std::sqrt(2.0 * all.sum * all.sum / (exits() + 1.0)) / all.weight;
     Estimate estimate{all.sum / all.weight, halfWidthOver(confidence(), 0) * independent};
-    if (const std::optional<BlockError> found = seriesError(inside_))
-      estimate.half_width =
-          std::max(estimate.half_width, halfWidthOver(confidence(), found->blocks) * found->error);
+    if (const std::optional<double> of_blocks = correlatedHalfWidth(inside_, confidence()))
+      estimate.half_width = std::max(estimate.half_width, *of_blocks);
     return estimate;
   }
 
@@ -129,11 +135,11 @@ private:
 
   std::optional<Estimate> rate(const std::vector<BlockSum>& blocks) const
   {
-    const std::optional<BlockError> found = seriesError(blocks);
-    if (!found)
+    const std::optional<double> half_width = correlatedHalfWidth(blocks, confidence());
+    if (!half_width)
       return std::nullopt;
     const BlockSum all = sumOf(blocks);
-    return Estimate{all.sum / all.weight, halfWidthOver(confidence(), found->blocks) * found->error};
+    return Estimate{all.sum / all.weight, *half_width};
   }
 
   /// @param elsewhere the same species in the other bin
@@ -194,11 +200,10 @@ Steadiness steadinessOf(const Simulation& simulation)
     return {std::nullopt, fmt::format("too few left: {:g} since {:.4g} s", part.exits(), state.from)};
   if (const PairSeparation pair = bestSeparation(part.bins()); pair.separation)
   {
-    const std::optional<SeparationEstimate> found = part.separation();
-    if (!found)
-      return {std::nullopt, "not settled: what leaves changes more slowly than the run can tell"};
     state.pair = pair;
-    state.separation = found->estimate;
+    state.separation = part.separation(pair);
+    if (!state.separation)
+      return {std::nullopt, "not settled: what leaves changes more slowly than the run can tell"};
   }
   state.inside = part.inside();
   state.throughput = part.throughput();
@@ -219,7 +224,8 @@ std::string steadyText(const Simulation& simulation, const Steadiness& steadines
       std::abs(whole.value - steady.value) <= std::max(whole.half_width, steady.half_width))
     return {};
   return fmt::format(
-      "the separation since the start, {:.3g} +- {:.2g}, is not that of the filled machine: since {:.3g} s it "
+      "the separation since the start, {:.3g} +- {:.2g}, is not that of the filled machine: since {:.3g} s "
+      "it "
       "is {:.3g} +- {:.2g} (steady.separation)",
       whole.value, whole.half_width, state.from, steady.value, steady.half_width);
 }

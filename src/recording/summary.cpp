@@ -128,18 +128,20 @@ Json steadyParts(const std::vector<std::string>& names, const SteadyState& stead
   std::optional<Estimate> quality = steady.separation;
   if (quality)
     quality->value = std::abs(quality->value);
-  Json json{{"from", steady.from},
-            {"separation", estimateOrNull(steady.separation)},
-            {"quality", estimateOrNull(quality)},
-            {"purity", portionParts(names, steady, &SteadyBin::purity)},
-            {"recovery", portionParts(names, steady, &SteadyBin::recovery)},
-            {"throughput",
-             {{"mass", estimateOrNull(steady.mass_throughput)}, {"number", estimateOrNull(steady.throughput)}}},
-            {"inside", estimateOrNull(steady.inside)}};
+  Json json{
+      {"from", steady.from},
+      {"separation", estimateOrNull(steady.separation)},
+      {"quality", estimateOrNull(quality)},
+      {"purity", portionParts(names, steady, &SteadyBin::purity)},
+      {"recovery", portionParts(names, steady, &SteadyBin::recovery)},
+      {"throughput",
+       {{"mass", estimateOrNull(steady.mass_throughput)}, {"number", estimateOrNull(steady.throughput)}}},
+      {"inside", estimateOrNull(steady.inside)}};
   for (std::size_t s = 0; s < names.size(); ++s)
   {
-    const auto row = [&](const SteadyBin& bin)
-    { return Json{{"name", names[s]}, {"number", bin.number}, {"mass", bin.mass}}; };
+    const auto row = [&](const SteadyBin& bin) {
+      return Json{{"name", names[s]}, {"number", bin.number}, {"mass", bin.mass}};
+    };
     json["exits"]["left"].push_back(row(steady.species[s].left));
     json["exits"]["right"].push_back(row(steady.species[s].right));
   }

@@ -26,7 +26,8 @@ struct Filling
 /// - Neither the number inside of a species nor the share of it that leaves on the left drifts in the rest:
 ///   the Cramer-von Mises test of P. Heidelberger and P. D. Welch, Oper. Res. 31, 1109 (1983),
 ///   doi:10.1287/opre.31.6.1109, at 1 %. The noise is that of the second half of the series (seriesError())
-///   about a straight line, but at least that of disks which are fed, convey and part independently of each other.
+///   about a straight line, but at least that of disks which are fed, convey and part independently of each
+///   other.
 /// @param names of the species
 Filling fillingOf(const FlowSeries& series, const std::vector<std::string>& names);
 
