@@ -70,7 +70,8 @@ public:
     const Certainty certainty = certaintyOf(simulation_);
     if (outcome_.end == RunEnd::COMPLETED)
       warnOfErrors(certainty);
-    warn(steadyText(simulation_, steadinessOf(simulation_), certainty), "not-steady");
+    outcome_.steadiness = steadinessOf(simulation_);
+    warn(steadyText(simulation_, *outcome_.steadiness, certainty), "not-steady");
     if (outcome_.end == RunEnd::CHOKED)
       warn(fmt::format("ended at {} s of {} s by feed.on_choke", simulation_.time(),
                        simulation_.scene().duration),

@@ -148,9 +148,9 @@ Json steadyParts(const std::vector<std::string>& names, const SteadyState& stead
   return json;
 }
 
-void addSteady(Json& json, const Simulation& simulation)
+void addSteady(Json& json, const Simulation& simulation, const RunOutcome& outcome)
 {
-  const Steadiness found = steadinessOf(simulation);
+  const Steadiness found = outcome.steadiness ? *outcome.steadiness : steadinessOf(simulation);
   json["steady"] = nullptr;
   json["steady_reason"] = nullptr;
   if (found.state)
@@ -246,7 +246,7 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
     json["pair_qualities"] = pairResults(simulation);
   addObserved(json, simulation.observed());
   json["accuracy"] = certaintyParts(simulation);
-  addSteady(json, simulation);
+  addSteady(json, simulation, outcome);
   json["base_impulse"] = {simulation.baseImpulse().x(), simulation.baseImpulse().y()};
   json["energy_start"] = outcome.progress.energy_start;
   json["energy_end"] = simulation.energy();
