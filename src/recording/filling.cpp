@@ -172,7 +172,7 @@ private:
 
   std::string tooShort(double length) const
   {
-    return fmt::format("too short: {:.4g} s, but {:.2g} s are needed to tell", end() - series_.start, length);
+    return fmt::format("too short: {:.3g} s, but {:.3g} s are needed to tell", end() - series_.start, length);
   }
 
   /// Why the machine has not filled at this cut; empty if it has.
