@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
+
+#include "ratchet_sieve/recording/proportions.h"
 
 namespace ratchet_sieve
 {
@@ -20,6 +21,9 @@ constexpr std::size_t POINTS_CUT = 2;
 /// Blocks are grouped until there are at most twice as many batches: a transient is found if it is larger
 /// than the scatter of the batches.
 constexpr std::size_t BATCHES = 64;
+
+/// See correlatedHalfWidth().
+constexpr std::size_t SCATTERED_BATCHES = 10;
 
 /// Number of blocks for finding the transient, if the errors come from groups.
 constexpr double BLOCKS_OF_GROUPS = 32.0;
@@ -124,38 +128,13 @@ struct Share
   double left;
 };
 
-/// Distances of the ends of Wilson's interval below and above a proportion.
-std::pair<double, double> wilson(const Share& share, double z)
-{
-  const double n = share.counted;
-  const double centre = (share.left + z * z / (2.0 * n)) / (1.0 + z * z / n);
-  const double half =
-      z / (1.0 + z * z / n) * std::sqrt(share.left * (1.0 - share.left) / n + z * z / (4.0 * n * n));
-  return {share.left - centre + half, centre + half - share.left};
-}
-
 /// For independent disks.
 double countedHalfWidth(const Share& a, const Share& b, double confidence)
 {
   const double z = halfWidthOver(confidence, 0);
-  const auto [below_a, above_a] = wilson(a, z);
-  const auto [below_b, above_b] = wilson(b, z);
-  return std::max(std::hypot(below_a, above_b), std::hypot(above_a, below_b));
-}
-
-/// The difference of the fractions per block, relative to the overall one.
-std::vector<BlockSum> deviations(const std::vector<BlockSum>& a, const std::vector<BlockSum>& b)
-{
-  const BlockSum all_a = sumOf(a);
-  const BlockSum all_b = sumOf(b);
-  std::vector<BlockSum> blocks;
-  if (all_a.weight <= 0.0 || all_b.weight <= 0.0)
-    return blocks;
-  const auto deviation = [](const BlockSum& block, const BlockSum& all)
-  { return (block.sum - all.sum / all.weight * block.weight) / all.weight; };
-  for (std::size_t k = 0; k < a.size(); ++k)
-    blocks.push_back({deviation(a[k], all_a) - deviation(b[k], all_b), 1.0 / static_cast<double>(a.size())});
-  return blocks;
+  const auto [low_a, high_a] = wilsonInterval(a.left, a.counted, z);
+  const auto [low_b, high_b] = wilsonInterval(b.left, b.counted, z);
+  return std::max(std::hypot(a.left - low_a, high_b - b.left), std::hypot(high_a - a.left, b.left - low_b));
 }
 
 /// Largest change of the fraction by the disks still in the machine.
@@ -184,6 +163,30 @@ double halfWidthOver(double confidence, std::size_t blocks)
   if (blocks == 0)
     return quantile(boost::math::normal(), upper);
   return quantile(boost::math::students_t(static_cast<double>(blocks - 1)), upper);
+}
+
+std::optional<double> correlatedHalfWidth(const std::vector<BlockSum>& blocks, double confidence)
+{
+  const std::optional<BlockError> found = seriesError(blocks);
+  if (!found)
+    return std::nullopt;
+  const std::vector<BlockSum> batches = batchesOf(blocks, blocks.size() / SCATTERED_BATCHES);
+  return std::max(halfWidthOver(confidence, found->blocks) * found->error,
+                  halfWidthOver(confidence, batches.size()) * scatterError(batches));
+}
+
+std::vector<BlockSum> separationDeviations(const std::vector<BlockSum>& a, const std::vector<BlockSum>& b)
+{
+  const BlockSum all_a = sumOf(a);
+  const BlockSum all_b = sumOf(b);
+  std::vector<BlockSum> blocks;
+  if (all_a.weight <= 0.0 || all_b.weight <= 0.0)
+    return blocks;
+  const auto deviation = [](const BlockSum& block, const BlockSum& all)
+  { return (block.sum - all.sum / all.weight * block.weight) / all.weight; };
+  for (std::size_t k = 0; k < a.size(); ++k)
+    blocks.push_back({deviation(a[k], all_a) - deviation(b[k], all_b), 1.0 / static_cast<double>(a.size())});
+  return blocks;
 }
 
 double timesForTrust(const std::vector<BlockSum>& series, const BlockError& error)
@@ -237,7 +240,7 @@ std::optional<SeparationEstimate> separationEstimate(const std::vector<SpeciesBi
     found.estimate = {*pair.separation, found.sampled + rest};
     return found;
   }
-  const std::vector<BlockSum> blocks = deviations(exits[pair.first], exits[pair.second]);
+  const std::vector<BlockSum> blocks = separationDeviations(exits[pair.first], exits[pair.second]);
   const std::optional<BlockError> in_time = seriesError(blocks);
   if (!in_time)
     return std::nullopt;

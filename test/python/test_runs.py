@@ -84,7 +84,8 @@ def test_every_number_has_its_unit(full):
         if isinstance(part, (int, float)):
             assert isinstance(rs.Summary.unit(name), str), name
     table = rs.sweep(full.scene, progress=False)
-    others = {"run_hash", "physics", "version", "scene_hash", "status", "error", "host", "warning_text"}
+    others = {"run_hash", "physics", "version", "scene_hash", "status", "error", "host", "warning_text",
+              "steady_reason"}
     assert all(isinstance(rs.Summary.unit(name), str) for name in table if name not in others)
     with pytest.raises(KeyError, match="no number speed"):
         rs.Summary.unit("speed")

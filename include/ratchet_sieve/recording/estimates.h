@@ -31,6 +31,15 @@ BlockSum sumOf(const std::vector<BlockSum>& blocks);
 /// blocks: Student's t. 0 blocks: a known error, normal distribution.
 double halfWidthOver(double confidence, std::size_t blocks);
 
+/// Half-width of the ratio over a correlated series: the larger one of those from seriesError() and from the
+/// scatter of ten batches, which shows correlations that are weak but last. B. Schmeiser, Oper. Res. 30, 556
+/// (1982), doi:10.1287/opre.30.3.556. Nothing as seriesError().
+std::optional<double> correlatedHalfWidth(const std::vector<BlockSum>& blocks, double confidence);
+
+/// The difference of the fractions of two species in each block, relative to the overall one: its error is
+/// that of s. @param a, b as the exits of separationEstimate()
+std::vector<BlockSum> separationDeviations(const std::vector<BlockSum>& a, const std::vector<BlockSum>& b);
+
 /// The factor by which the series must be longer for a reliable error; see INDEPENDENT_BLOCKS. @param error
 /// of the series
 double timesForTrust(const std::vector<BlockSum>& series, const BlockError& error);
@@ -84,7 +93,7 @@ struct SeparationEstimate
 /// after the other are correlated: for a machine with a feed, the error is estimated from the time series as
 /// well, and the larger one is used. Disks that are still in a machine without a feed widen the interval by
 /// the change of s if they all left on the worst side.
-/// @param exits per species, see SpeciesSeries; empty without a feed
+/// @param exits per species, what left on the left of all that left; empty without a feed
 /// @return nothing if s is undefined or the series is too short
 std::optional<SeparationEstimate> separationEstimate(const std::vector<SpeciesBins>& bins,
                                                      const std::vector<std::vector<BlockSum>>& exits,

@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/recording/run.h"
+#include "ratchet_sieve/recording/steady.h"
 
 namespace ratchet_sieve
 {
@@ -41,7 +43,8 @@ struct RunOutcome
   RunEnd end = RunEnd::COMPLETED;
   double wall_time = 0.0;  ///< [s]
   RunProgress progress;
-  std::vector<std::string> warnings;  ///< one line each
+  std::vector<std::string> warnings;     ///< one line each
+  std::optional<Steadiness> steadiness;  ///< at the end; nothing: not looked for yet
 };
 
 /// A sink that takes frames of a run at its own rates.

@@ -16,6 +16,7 @@ LABELS = {
     'base.length': 'length $W$ [m]',
     'density': 'density $d$',
     'quality': 'quality $Q$',
+    'steady.quality.value': 'quality $Q$ of the filled machine',
     'processed': 'processed ratio $P$',
     'throughput': 'throughput [disks/s]',
 }

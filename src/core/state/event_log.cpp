@@ -4,6 +4,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "state/flow_blocks.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -104,6 +105,8 @@ private:
 EventLog::EventLog(const SystemState& system)
     : system_(system), ordered_(!system.plan().pairs), bins_(add(std::make_unique<Bins>(system)))
 {
+  if (system.scene().feed.any() && system.scene().boundary != Boundary::PERIODIC)
+    flow_ = add(std::make_unique<FlowBlocks>(system));
   for (const std::string& name : system.scene().observe)
     observables_.push_back(add(makeObservable(name, system)));
   if (system.shape().isProfile())
@@ -191,6 +194,11 @@ const std::vector<SpeciesBins>& EventLog::bins() const
 std::vector<SpeciesBins>& EventLog::sizeClassBins()
 {
   return bins_->of_size_classes;
+}
+
+FlowSeries EventLog::flowSeries(double start, double block_time) const
+{
+  return flow_ ? flow_->series(start, block_time) : FlowSeries();
 }
 
 std::vector<Observed> EventLog::observed(double time, bool settled) const

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "ratchet_sieve/core/flow_series.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "state/observer.h"
 #include "state/thread_buffer.h"
@@ -16,6 +17,7 @@ namespace ratchet_sieve
 
 class Bins;
 class FaceCounts;
+class FlowBlocks;
 
 /// Tells the observers of a run of contacts, flights and departures, in the order of time: at once, or once
 /// those of independent disks can be put into it.
@@ -114,6 +116,9 @@ public:
   const std::vector<SpeciesBins>& bins() const;
   std::vector<SpeciesBins>& sizeClassBins();
 
+  /// See FlowBlocks::series().
+  FlowSeries flowSeries(double start, double block_time) const;
+
   /// Of a profile; empty for a sawtooth.
   FaceContacts faceContacts() const;
 
@@ -156,6 +161,7 @@ private:
   Bins* bins_;
   std::vector<const Observable*> observables_;  ///< in the order of the scene
   const FaceCounts* faces_ = nullptr;           ///< of a profile
+  const FlowBlocks* flow_ = nullptr;            ///< one of them, where disks are fed and can leave
 
   // See keepExits().
   double kept_length_ = 0.0;                                     ///< [s]
