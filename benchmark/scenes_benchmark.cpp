@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <map>
 #include <string>
@@ -8,11 +7,9 @@
 #include <benchmark/benchmark.h>
 
 #include "events/engine.h"
-#include "events/pair_strips.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 #include "simd/simd_batch.h"
-#include "simd/worker_pool.h"
 
 namespace ratchet_sieve
 {
@@ -112,29 +109,17 @@ const std::string& landedState(int teeth)
   return state;
 }
 
-/// Six periods of the drive, which always begin with the same disks. Of the strips: the speed-up that their
-/// events would allow with a thread each, the share of the wall time in which a thread waits, and that in
-/// which one works alone.
+/// Six periods of the drive, which always begin with the same disks.
 void layerInStrips(benchmark::State& state, int teeth, std::size_t threads, const StripSettings& strips)
 {
   const SceneDefinition scene = mixtureOf(teeth);
   Engine engine(scene, landedState(teeth));
   engine.setThreads(threads, strips);
-  const auto collisions = [&] { return engine.state().observers().counts().collisions.total(); };
+  const auto collisions = [&] { return engine.state().sums().contacts.counts.collisions.total(); };
   const auto before = collisions();
-  const auto start = std::chrono::steady_clock::now();
   for (auto _ : state)
     engine.advanceTo(engine.time() + 1.0 / scene.base.frequency);
-  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   state.counters["collisions"] = Counter(static_cast<double>(collisions() - before), Counter::kIsRate);
-  const StripCounts counts = engine.stripCounts();
-  if (counts.windows == 0)
-    return;
-  state.counters["windows"] = static_cast<double>(counts.windows);
-  state.counters["events_over_critical"] =
-      static_cast<double>(counts.events) / static_cast<double>(counts.critical_events);
-  state.counters["meeting"] = counts.meeting / (wall * static_cast<double>(threads));
-  state.counters["alone"] = counts.alone / wall;
 }
 
 /// The second argument is the number of threads; 0: one, with a single queue whatever the number of disks.
@@ -151,28 +136,6 @@ BENCHMARK(mixtureOnThreads)
     ->Iterations(6)  // over the same periods of the drive, whatever the threads
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-
-/// The second argument is the number of strips, all on one thread: what as many threads would have to do.
-void mixtureInStrips(benchmark::State& state)
-{
-  const auto teeth = static_cast<int>(state.range(0));
-  const auto count = static_cast<std::size_t>(state.range(1));
-  StripSettings strips;
-  strips.least_on_one_thread = 0;
-  strips.most_on_one_thread = SIZE_MAX;
-  strips.disks_per_strip = 2 * static_cast<std::size_t>(mixtureOf(teeth).species[0].count) / count + 1;
-  layerInStrips(state, teeth, 1, strips);
-}
-/// As many strips as the plan would use threads at most, and fewer.
-void layersAndStrips(benchmark::internal::Benchmark* rows)
-{
-  rows->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(6);
-  for (const auto& [teeth, counts] :
-       std::map<int, std::vector<int>>{{382, {2, 4, 6}}, {3817, {2, 4, 16, 64}}, {38170, {2, 4, 16, 64}}})
-    for (const int count : counts)
-      rows->Args({teeth, count});
-}
-BENCHMARK(mixtureInStrips)->Apply(layersAndStrips);
 
 /// A layer on a periodic base at rest (0) or turning at 0.1 rad/s (1). Both begin with the same disks.
 void slewing(benchmark::State& state)
@@ -200,27 +163,6 @@ void lognormalSizes(benchmark::State& state)
   advance(state, test::lognormalSizes(2000, 0.01 * static_cast<double>(state.range(0))), 0.2);
 }
 BENCHMARK(lognormalSizes)->Arg(25)->Arg(50)->Unit(benchmark::kMillisecond);
-
-/// Two threads that meet and do nothing in between.
-void meetingOfTwoThreads(benchmark::State& state)
-{
-  constexpr int MEETINGS = 10000;
-  WorkerPool pool(2);
-  if (pool.workers() < 2)
-    return state.SkipWithError("the system provides no second thread");
-  for (auto _ : state)
-  {
-    SpinBarrier barrier(2);
-    pool.run(
-        [&](std::size_t)
-        {
-          for (int k = 0; k < MEETINGS; ++k)
-            barrier.wait([] {});
-        });
-  }
-  state.counters["meetings"] = Counter(MEETINGS, Counter::kIsIterationInvariantRate);
-}
-BENCHMARK(meetingOfTwoThreads)->UseRealTime();
 
 }  // namespace
 }  // namespace ratchet_sieve

@@ -31,10 +31,6 @@ if(RATCHET_SIEVE_SANITIZE)
   target_compile_options(ratchet_sieve_flags INTERFACE -fsanitize=${RATCHET_SIEVE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(ratchet_sieve_flags INTERFACE -fsanitize=${RATCHET_SIEVE_SANITIZE})
 endif()
-# What a fuzzer sees of the code that it drives.
-if(RATCHET_SIEVE_FUZZ)
-  target_compile_options(ratchet_sieve_flags INTERFACE -fsanitize=fuzzer-no-link)
-endif()
 
 # For programs and tests, below the directory that calls this: they read their command line or compare results, and the
 # layers do the work. Optimising them takes half of the compiler's time for nothing. Only in a Release build.
@@ -61,6 +57,10 @@ function(ratchet_sieve_layer layer)
   # The flags are this project's own: packages that use the exported target do not see them.
   target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:ratchet_sieve_flags,INTERFACE_COMPILE_OPTIONS>)
   target_link_options(${target} PRIVATE $<TARGET_PROPERTY:ratchet_sieve_flags,INTERFACE_LINK_OPTIONS>)
+  # What a fuzzer sees of the code that it drives.
+  if(RATCHET_SIEVE_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
   # A program or module that links a layer finds, where they are installed, the layers below it too.
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${layer} INSTALL_RPATH $ORIGIN)
   target_compile_features(${target} PUBLIC cxx_std_17)

@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "ratchet_sieve/scene/shown_text.h"
 

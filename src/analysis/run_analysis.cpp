@@ -102,7 +102,7 @@ private:
   /// Keeps every second sample. @pre the number of samples is odd, so that the last one stays
   void thin()
   {
-    for (std::size_t i = 0; 2 * i < kept_.size(); ++i)
+    for (std::size_t i = 1; 2 * i < kept_.size(); ++i)
       kept_[i] = std::move(kept_[2 * i]);
     kept_.resize((kept_.size() + 1) / 2);
     stride_ *= 2;
@@ -117,8 +117,9 @@ private:
 /// The accumulated data of one run: what its result has so far, and what the rest of it is computed from.
 struct RunAnalysis::Run
 {
-  Run(const SceneFrame& frame, SceneDefinition definition)
-      : tracker(definition.species.size(), definition.settle, !definition.contact.pair_collisions),
+  Run(const SceneFrame& frame, SceneDefinition definition, bool every_change_of_bins)
+      : every_change(every_change_of_bins),
+        tracker(definition.species.size(), definition.settle, !definition.contact.pair_collisions),
         distributions(definition.species.size(), distributionTimes(definition.duration)),
         temperatures(definition.species.size())
   {
@@ -134,10 +135,12 @@ struct RunAnalysis::Run
   void add(const StatisticsFrame& frame);
   void add(const ObservedFrame& frame);
 
+  bool every_change;
   RunResult so_far;
   DisplacementTracker tracker;
   DisplacementDistributions distributions;
   std::optional<BinFrame> last_bins;
+  ThinnedSeries<BinFrame> changes;  ///< of the bins, unless every one is kept
   ThinnedSeries<Drift> drift;
   ThinnedSeries<BaseFrame> base;
   ThinnedSeries<StatisticsFrame> statistics;
@@ -162,8 +165,13 @@ void RunAnalysis::Run::add(const BinFrame& frame)
   // s, Q and P are computed from the counts, not copied from the frame, so that the analysis is independent.
   BinFrame counted = frame;
   addRatios(counted);
-  if (so_far.bins.empty() || !sameBits(so_far.bins.back().bins, counted.bins))
-    so_far.bins.push_back(counted);
+  if (!last_bins || !sameBits(last_bins->bins, counted.bins))
+  {
+    if (every_change)
+      so_far.bins.push_back(counted);
+    else
+      changes.add(counted);
+  }
   last_bins = std::move(counted);
 }
 
@@ -185,7 +193,7 @@ void RunAnalysis::Run::add(const ObservedFrame& frame)
   so_far.observed = frame.observed;
 }
 
-RunAnalysis::RunAnalysis() = default;
+RunAnalysis::RunAnalysis(bool every_change) : every_change_(every_change) {}
 RunAnalysis::~RunAnalysis() = default;
 
 void RunAnalysis::take(const AnyFrame& any)
@@ -195,7 +203,8 @@ void RunAnalysis::take(const AnyFrame& any)
       {
         using Frame = std::decay_t<decltype(frame)>;
         if constexpr (std::is_same_v<Frame, SceneFrame>)
-          run_ = std::make_unique<Run>(frame, sceneFromText(frame.yaml, "recorded scene").definition);
+          run_ = std::make_unique<Run>(frame, sceneFromText(frame.yaml, "recorded scene").definition,
+                                       every_change_);
         else if constexpr (IS_TAKEN_AT_A_RATE<Frame>)
         {
           if (!run_)
@@ -217,6 +226,8 @@ RunResult RunAnalysis::result() const
   RunResult result = run.so_far;
   result.velocities = run.tracker.velocities();
   result.displacement_distributions = run.distributions.distributions();
+  if (!run.every_change)
+    result.bins = run.changes.samples();
   if (run.last_bins && run.last_bins->time > result.bins.back().time)
     result.bins.push_back(*run.last_bins);
   result.drift = run.drift.samples();

@@ -1,6 +1,6 @@
 #include "ratchet_sieve/core/choke.h"
 
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 
 namespace ratchet_sieve
 {

@@ -22,7 +22,6 @@ template <typename Visit>
 void forEachDiskState(const SystemState& system, double time, Visit&& visit)
 {
   const FrameOfBase base = system.motion().at(time);
-  const TrajectorySums& trajectories = system.observers().trajectories();
   // While the base turns all disks are between its ends, because they are wrapped when they pass an end.
   const bool wrapped = system.scene().boundary != Boundary::PERIODIC || system.motion().turning();
   const double gravity = system.scene().gravity;
@@ -31,6 +30,7 @@ void forEachDiskState(const SystemState& system, double time, Visit&& visit)
     if (!system.active(slot))
       continue;
     const Disk& disk = system.disk(slot);
+    const DiskRecord& record = system.record(slot);
     const Kinematics now = kinematicsAt(disk, time, gravity);
     const Eigen::Vector2d position = vectorOf(now.position);
     const double widths = wrapped ? 0.0 : system.widthsOutside(base.positionInto(position).x());
@@ -39,13 +39,13 @@ void forEachDiskState(const SystemState& system, double time, Visit&& visit)
     state.id = system.id(slot);
     state.species = disk.species;
     state.radius = disk.radius;
-    state.mass = system.properties(slot).mass;
-    state.displacement = trajectories.displacement(slot, position.x());
+    state.mass = record.properties.mass;
+    state.displacement = record.displacement(position.x());
     state.x = position.x() + image.shift.x();
     state.y = position.y() + image.shift.y();
     state.vx = now.velocity[0] + image.velocity.x();
     state.vy = now.velocity[1] + image.velocity.y();
-    state.angle = wrappedAngle(trajectories.angle(slot, disk, time));
+    state.angle = wrappedAngle(record.angleAt(disk, time));
     state.spin = disk.spin;
     visit(state);
   }
@@ -53,11 +53,7 @@ void forEachDiskState(const SystemState& system, double time, Visit&& visit)
 }  // namespace
 
 Simulation::Simulation(const SceneDefinition& scene, double start_time, const PourObserver& pour_observer)
-    : engine_(std::make_unique<Engine>(scene, planOf(scene), start_time, pour_observer))
-{
-}
-Simulation::Simulation(const SceneDefinition& scene, const Plan& plan)
-    : engine_(std::make_unique<Engine>(scene, plan, 0.0, PourObserver()))
+    : engine_(std::make_unique<Engine>(scene, start_time, pour_observer))
 {
 }
 Simulation::Simulation(const SceneDefinition& scene, std::string_view saved_state)
@@ -144,27 +140,27 @@ void Simulation::setThreads(std::size_t threads)
 
 std::vector<SpeciesBins> Simulation::bins() const
 {
-  return engine_->state().observers().bins();
+  return engine_->state().log().bins();
 }
 
 void Simulation::keepExits(double length)
 {
-  engine_->state().observers().keepExits(length, time());
+  engine_->state().log().keepExits(length, time());
 }
 
 ExitWindow Simulation::exitWindow(double not_before) const
 {
-  return engine_->state().observers().exitWindow(time(), not_before);
+  return engine_->state().log().exitWindow(time(), not_before);
 }
 
 const CollisionCounts& Simulation::collisions() const
 {
-  return engine_->state().observers().counts().collisions;
+  return engine_->state().sums().contacts.counts.collisions;
 }
 
 FaceContacts Simulation::faceContacts() const
 {
-  return engine_->state().observers().faceContacts();
+  return engine_->state().log().faceContacts();
 }
 
 std::uint64_t Simulation::events() const
@@ -176,7 +172,7 @@ std::vector<SpeciesMeans> Simulation::means() const
 {
   if (!engine_->settled())
     return std::vector<SpeciesMeans>(scene().species.size());
-  return engine_->state().observers().averages().means(engine_->now());
+  return engine_->state().sums().averages.means(engine_->now());
 }
 
 const std::vector<SizeClass>& Simulation::sizeClasses() const
@@ -186,19 +182,19 @@ const std::vector<SizeClass>& Simulation::sizeClasses() const
 
 const std::vector<SpeciesBins>& Simulation::sizeClassBins() const
 {
-  return engine_->state().observers().sizeClassBins();
+  return engine_->state().log().sizeClassBins();
 }
 
 std::vector<SpeciesMeans> Simulation::sizeClassMeans() const
 {
   if (!engine_->settled())
     return std::vector<SpeciesMeans>(sizeClasses().size());
-  return engine_->state().observers().averages().sizeClassMeans(engine_->now());
+  return engine_->state().sums().averages.sizeClassMeans(engine_->now());
 }
 
 std::vector<Observed> Simulation::observed() const
 {
-  return engine_->state().observers().observed(engine_->now(), engine_->settled());
+  return engine_->state().log().observed(engine_->now(), engine_->settled());
 }
 
 double Simulation::blockEnd(std::uint64_t blocks) const
@@ -228,8 +224,7 @@ std::vector<std::optional<double>> Simulation::granularTemperatures() const
 
 Eigen::Vector2d Simulation::baseImpulse() const
 {
-  return engine_->settled() ? engine_->state().observers().impulses().total()
-                            : Eigen::Vector2d(Eigen::Vector2d::Zero());
+  return engine_->settled() ? engine_->state().baseImpulse() : Eigen::Vector2d(Eigen::Vector2d::Zero());
 }
 
 double Simulation::energy() const
@@ -264,22 +259,22 @@ std::string Simulation::collapseText() const
 
 double Simulation::largestEnergy() const
 {
-  return engine_->state().observers().energyWatch().largest();
+  return engine_->state().sums().energies.largest();
 }
 
-std::string Simulation::energyText() const
+const std::optional<LargeEnergy>& Simulation::implausibleEnergy() const
 {
-  return engine_->state().observers().energyWatch().text();
+  return engine_->state().sums().energies.first();
 }
 
 std::uint64_t Simulation::pushedOut() const
 {
-  return engine_->state().observers().counts().pushed_out;
+  return engine_->state().sums().contacts.counts.pushed_out;
 }
 
 double Simulation::maxOverlap() const
 {
-  return engine_->state().observers().counts().max_overlap;
+  return engine_->state().sums().contacts.counts.max_overlap;
 }
 
 std::size_t Simulation::auditOverlaps()
@@ -296,12 +291,12 @@ std::string Simulation::saveState() const
 
 void Simulation::observeCollisions(CollisionObserver observer)
 {
-  engine_->state().observers().observeCollisions(std::move(observer));
+  engine_->state().log().observeCollisions(std::move(observer));
 }
 
 void Simulation::observeExits(ExitObserver observer)
 {
-  engine_->state().observers().observeExits(std::move(observer));
+  engine_->state().log().observeExits(std::move(observer));
 }
 
 void Simulation::observePeriods(PeriodObserver observer)

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/certainty.h"
 #include "ratchet_sieve/recording/run_warnings.h"
 #include "ratchet_sieve/scene/shown_text.h"
@@ -62,7 +61,7 @@ void Journal::look(const Run& run)
   said_.start = run.startTime();
   said_.last_time = run.time();
   if (!said_.energy)
-    said_.energy = warn(run.simulation().energyText());
+    said_.energy = warn(energyText(run.simulation()));
   if (!said_.choke)
     said_.choke = warn(chokeText(run.simulation()));
   lookAtProgress(run);

@@ -7,9 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/recording/run_warnings.h"
+#include "ratchet_sieve/scene/scene_text.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve

@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "command_line.h"
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/recording/resimulation.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/ros/bag.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace
 {

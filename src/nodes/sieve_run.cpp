@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "command_line.h"
-#include "ratchet_sieve/core/count_text.h"
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/checkpoint.h"
@@ -17,6 +16,7 @@
 #include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/scene/scene_text.h"
 #include "ratchet_sieve/scene/shown_text.h"
 #include "ratchet_sieve/sweep/floor_check.h"
 #include "run_arguments.h"

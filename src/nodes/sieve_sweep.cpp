@@ -11,12 +11,12 @@
 
 #include "command_line.h"
 #include "python_plots.h"
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/page/sweep_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/scene/shown_text.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
 #include "sweep_arguments.h"

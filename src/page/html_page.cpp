@@ -9,7 +9,7 @@
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/page/sweep_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/scalars.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "html_page.h"
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 
 namespace ratchet_sieve
 {

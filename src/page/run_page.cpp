@@ -9,11 +9,12 @@
 #include "motion.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/recording/summary.h"
+#include "ratchet_sieve/scene/scene_text.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {

@@ -9,6 +9,7 @@
 #include <pybind11/stl.h>
 
 #include "bindings.h"
+#include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -79,6 +80,14 @@ void bindScene(py::module_& module)
       .def_property_readonly("hash", [](const Scene& scene) { return sceneHash(scene.definition); })
       .def_property_readonly("run_hash", [](const Scene& scene) { return runHash(scene.definition); })
       .def_property_readonly("species", [](const Scene& scene) { return speciesNames(scene.definition); })
+      .def_property_readonly("mean_masses",
+                             [](const Scene& scene)
+                             {
+                               std::vector<double> masses;
+                               for (const SpeciesDefinition& species : scene.definition.species)
+                                 masses.push_back(meanMass(species));
+                               return masses;
+                             })
       .def_readonly("warnings", &Scene::warnings)
       .def("disks_of", &recordedDisks, py::arg("columns"));
   module.def("read_text", &readText, py::arg("path"));

@@ -11,7 +11,7 @@
 
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/fields.h"
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 #include "ratchet_sieve/core/simulation.h"
 
 /// Values of the layers as Python's.

@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/core/count_text.h"
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/recording/filling.h"
 #include "ratchet_sieve/scene/shown_text.h"
 

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/certainty.h"
 #include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/run_warnings.h"
@@ -80,7 +79,7 @@ public:
     const std::string choke = chokeText(simulation_);
     const bool goes_on = !choke.empty() && simulation_.scene().feed.on_choke == ChokeAction::RUN;
     warn(choke + (goes_on ? "; feed.on_choke: stop ends such a run" : ""), "choked");
-    warn(simulation_.energyText(), "large-energy");
+    warn(energyText(simulation_), "large-energy");
     warn(overWallsText(simulation_), "over-walls");
     save();
     audit();

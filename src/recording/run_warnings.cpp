@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "ratchet_sieve/core/choke.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/layer.h"
 
 namespace ratchet_sieve
 {
@@ -21,6 +21,17 @@ std::string chokeText(const Simulation& simulation)
   if (scene.gravity > 0.0)
     text += fmt::format("; the drive's peak acceleration is {:.3g} g", peakLift(scene.base) / scene.gravity);
   return text;
+}
+
+std::string energyText(const Simulation& simulation)
+{
+  const std::optional<LargeEnergy>& first = simulation.implausibleEnergy();
+  if (!first)
+    return {};
+  return fmt::format(
+      "implausibly large energy: at {:.6g} s disk {} had {:.6g} J at a height of {:.6g} m, {:.6g} times its "
+      "energy after the highest fall and an elastic bounce off the base; largest so far: {:.6g} times",
+      first->time, first->disk, first->energy, first->height, first->scales, simulation.largestEnergy());
 }
 
 std::uint64_t disksOverWalls(const Simulation& simulation)

@@ -180,13 +180,9 @@ void addObserved(Json& json, const std::vector<Observed>& all)
 
 Json planParts(const Plan& plan)
 {
-  return {{"pairs", plan.pairs},
-          {"steps", plan.steps},
-          {"spin", plan.spin},
-          {"drive", plan.drive},
-          {"orbit", plan.orbit},
-          {"contact_times", plan.contact_times},
-          {"search_above_band", plan.search_above_band},
+  return {{"pairs", plan.pairs},        {"steps", plan.steps}, {"spin", plan.spin},
+          {"drive", plan.drive},        {"orbit", plan.orbit}, {"contact_times", plan.contact_times},
+          {"search_above_band", false},  // in every summary since 1.0
           {"simd", plan.simd}};
 }
 

@@ -7,7 +7,7 @@
 #include <fmt/ostream.h>
 #include <Eigen/Geometry>
 
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve

@@ -48,7 +48,7 @@ bool isIndexedBag(const std::string& path)
     const rosbag::Bag bag(path);
     return true;
   }
-  catch (const ros::Exception&)
+  catch (const std::exception&)  // where it is damaged, also of lengths that are none
   {
     return false;
   }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/recording/run_warnings.h"
+#include "ratchet_sieve/scene/scene_text.h"
 
 namespace ratchet_sieve
 {
@@ -68,8 +69,8 @@ void Diagnostics::reportRun(Status& status)
     status.summaryf(DiagnosticStatus::ERROR, "disks overlapped by %.3g m", overlap);
   else if (simulation.collapses().count > 0)
     status.summary(DiagnosticStatus::WARN, simulation.collapseText());
-  else if (!simulation.energyText().empty())
-    status.summary(DiagnosticStatus::WARN, simulation.energyText());
+  else if (const std::string energy = energyText(simulation); !energy.empty())
+    status.summary(DiagnosticStatus::WARN, energy);
   else if (control_.paused())
     status.summary(DiagnosticStatus::OK, run.finished() ? "finished" : "paused");
   else

@@ -7,7 +7,7 @@
 
 #include <tf2_eigen/tf2_eigen.h>
 
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/sizes.h"
 #include "transform_publisher.h"
 

@@ -10,7 +10,6 @@
 
 #include "command_server.h"
 #include "display.h"
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/live/journal.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/ros/nodes.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/core/fnv1a.h"
+#include "ratchet_sieve/scene/fnv1a.h"
 #include "schema.h"
 
 namespace ratchet_sieve

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "plausibility.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/layer.h"
 
 namespace ratchet_sieve
 {

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "plausibility.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/scene/shown_text.h"

@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/core/count_text.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/progress_bar.h"
+#include "ratchet_sieve/scene/shown_text.h"
 #include "ratchet_sieve/sweep/case.h"
 
 namespace ratchet_sieve

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/estimates.h"
 #include "ratchet_sieve/recording/summary.h"
+#include "ratchet_sieve/scene/shown_text.h"
 #include "ratchet_sieve/sweep/case.h"
 
 namespace ratchet_sieve

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/progress_bar.h"
+#include "ratchet_sieve/scene/shown_text.h"
 #include "ratchet_sieve/sweep/case.h"
 #include "ratchet_sieve/sweep/sweep_ledger.h"
 #include "ratchet_sieve/sweep/sweep_results.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/scene/canonical_scene.h"

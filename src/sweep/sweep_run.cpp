@@ -13,10 +13,10 @@
 #include <thread>
 #include <vector>
 
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/shown_text.h"
 #include "ratchet_sieve/sweep/case.h"
 #include "ratchet_sieve/sweep/sweep_ledger.h"
 

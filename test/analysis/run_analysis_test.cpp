@@ -87,6 +87,30 @@ TEST(RunAnalysis, KeepsBinsWhereTheyChange)
               result.bins[i - 1].bins[0].on_base + result.bins[i - 1].bins[1].on_base);
 }
 
+/// A machine with an endless feed changes its bins for ever.
+TEST(RunAnalysis, KeepsNotMoreBinsThanAnotherSeriesUnlessEveryChangeIsWanted)
+{
+  constexpr std::uint64_t CHANGES = 10000;
+  for (const bool every_change : {true, false})
+  {
+    RunAnalysis analysis(every_change);
+    analysis.take(sceneFrame(smallMixture()));
+    for (std::uint64_t k = 0; k <= CHANGES; ++k)
+    {
+      BinFrame frame;
+      frame.time = 0.25 * static_cast<double>(k);
+      frame.bins.resize(2);
+      frame.bins[1].left = k;
+      analysis.take(frame);
+    }
+    const RunResult result = analysis.result();
+    EXPECT_EQ(result.bins.front().bins[1].left, 0u);
+    EXPECT_EQ(result.bins.back().bins[1].left, CHANGES);
+    EXPECT_EQ(result.bins.size() > CHANGES, every_change);
+    EXPECT_LT(result.bins.size(), every_change ? CHANGES + 2 : 4100u);
+  }
+}
+
 StatisticsFrame temperaturesAt(double time, std::vector<double> temperatures)
 {
   StatisticsFrame frame;

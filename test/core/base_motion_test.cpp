@@ -31,6 +31,31 @@ TEST(BaseMotion, IsTheSineOfTheDefinition)
   EXPECT_FALSE(motion.nextChange());
 }
 
+TEST(BaseMotion, StandsWhereItsPhaseIsAndGoesOnFromThere)
+{
+  BaseDefinition base = figureThree();
+  base.frequency = 0.0;
+  base.phase = 0.7;
+  BaseMotion motion(base, UNLIMITED);
+  const auto expectTheSineAt = [&motion](double time)
+  {
+    while (motion.nextChange() && *motion.nextChange() <= time)
+      motion.beginSegment(*motion.nextChange());
+    const DriveState state = motion.state(time);
+    EXPECT_NEAR(state.displacement, state.amplitude * std::sin(state.phase), 1e-15) << time;
+    return state;
+  };
+  EXPECT_EQ(expectTheSineAt(0.1).velocity, 0.0);
+  motion.command(Quantity::AMPLITUDE, 0.001, 0.1);
+  expectTheSineAt(0.11);
+  EXPECT_EQ(expectTheSineAt(9.0).velocity, 0.0);
+  EXPECT_EQ(motion.state(9.0).amplitude, 0.001);
+  motion.command(Quantity::FREQUENCY, 20.0, 9.0);
+  EXPECT_NEAR(expectTheSineAt(9.0).phase, 0.7, 1e-15);
+  for (const double time : {9.3, 20.0})
+    EXPECT_GT(std::abs(expectTheSineAt(time).velocity), 0.0);
+}
+
 TEST(BaseMotion, ComesToItsSetpointsExactlyAndStops)
 {
   BaseMotion motion(figureThree(), UNLIMITED);

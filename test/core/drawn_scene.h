@@ -7,7 +7,7 @@
 
 #include "profiles.h"
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 #include "scenes.h"
 
 /// Scenes drawn by chance.

@@ -1,8 +1,12 @@
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <gtest/gtest.h>
 
 #include "constants.h"
+#include "events/engine.h"
+#include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 #include "state_hash.h"
@@ -84,6 +88,56 @@ TEST(Epoch, ThePhaseGoesOnWhereItGetsFiner)
   simulation.advanceTo(0.5 + 20.25e-3);
   EXPECT_NEAR(std::remainder(simulation.base().phase - before - 0.5 * PI, 2.0 * PI), 0.0, 1e-8);
   EXPECT_NEAR(simulation.base().displacement, 0.002 * std::sin(simulation.base().phase), 1e-12);
+}
+
+/// The largest distance between the surfaces of a contact, of either sign [radii of the smallest disk].
+class LargestGap final : public Observer
+{
+public:
+  unsigned subscriptions() const override { return CONTACTS; }
+  void collided(const ContactOutcome& outcome) override
+  {
+    largest = std::max(largest, std::abs(outcome.overlap) / RADIUS);
+    ++contacts;
+  }
+
+  static constexpr double RADIUS = 0.001;  // m
+  double largest = 0.0;
+  std::size_t contacts = 0;
+};
+
+TEST(Epoch, ContactsAfterAMillionSecondsAreAsExactAsAtTheStart)
+{
+  for (const double start : {0.0, 1e6, 1e6 + 1.0 / 3.0})
+  {
+    const SceneDefinition scene = test::mixture(40);
+    ASSERT_EQ(scene.species[0].radius, LargestGap::RADIUS);
+    Engine engine(scene, start, {});
+    const LargestGap* gaps = engine.state().log().add(std::make_unique<LargestGap>());
+    engine.advanceTo(start + 5.0);
+    EXPECT_GT(gaps->contacts, 10000u);
+    EXPECT_LT(gaps->largest, 2e-12) << start;
+  }
+}
+
+TEST(Epoch, IsShorterWhereItsFallsWouldBeTooFastForTheSmallestDisk)
+{
+  SceneDefinition scene = test::mixture(1);
+  EXPECT_EQ(SystemState(scene).epoch().length, epochLength(timeScale(scene)));
+  scene.species[1].radius = 1e-6;
+  EXPECT_EQ(SystemState(scene).epoch().length, longestFall(scene.gravity, 1e-6));
+}
+
+/// Each way is less than the position's resolution, as of contacts in a collapse.
+TEST(Disk, MovesByManyWaysThatAreLostToRounding)
+{
+  Disk disk;
+  disk.position = {1.0, -1.0};
+  for (int k = 0; k < 1000; ++k)
+    disk.redirect(Two{3e-17, 1e-17}, Two{}, 0.25);
+  EXPECT_NEAR(disk.position.x() - 1.0, 3e-14, 3e-16);
+  EXPECT_NEAR(disk.position.y() + 1.0, 1e-14, 3e-16);
+  EXPECT_EQ(disk.eventCount(), 1000u);
 }
 
 TEST(StartTime, IsWhereTimeCountsFrom)

@@ -25,7 +25,7 @@ TEST(Golden, Mixture)
   scene.base.inclination = 0.052;
   Simulation simulation(scene);
   simulation.advanceTo(2.0);
-  EXPECT_EQ(test::stateHash(simulation), 3797746565876703857ull);
+  EXPECT_EQ(test::stateHash(simulation), 17057333013311561752ull);
 }
 
 /// Enough disks for the prefetching of the next events.
@@ -36,7 +36,7 @@ TEST(Golden, LargeMixture)
   Simulation simulation(scene);
   simulation.advanceTo(0.08);
   EXPECT_GT(simulation.collisions().total(), 50000u);
-  EXPECT_EQ(test::stateHash(simulation), 6281044136758327014ull);
+  EXPECT_EQ(test::stateHash(simulation), 14543616183556555083ull);
 }
 
 TEST(Golden, SetpointsWhileItRuns)
@@ -46,7 +46,7 @@ TEST(Golden, SetpointsWhileItRuns)
   simulation.command(Quantity::INCLINATION, 0.1);
   simulation.command(Quantity::FREQUENCY, 26.0);
   simulation.advanceTo(4.0);
-  EXPECT_EQ(test::stateHash(simulation), 17898429199665144987ull);
+  EXPECT_EQ(test::stateHash(simulation), 17874495602983085652ull);
 }
 
 /// The seam of a periodic base that turns, with and without disk-disk collisions.
@@ -64,9 +64,9 @@ TEST(Golden, RingsThatTurn)
   };
   SceneDefinition ring = test::mixture(30);
   ring.base.teeth = 3;
-  EXPECT_EQ(hash(ring), 12892959894458014813ull);
+  EXPECT_EQ(hash(ring), 260470586789521152ull);
   ring.contact.pair_collisions = false;
-  EXPECT_EQ(hash(ring), 5039281587212165256ull);
+  EXPECT_EQ(hash(ring), 7227758289409880391ull);
 }
 
 /// Setpoints that arrive within steps, on both kinds of base.
@@ -84,8 +84,8 @@ TEST(Golden, StepsWithSetpointsWhileTheyRun)
   };
   SceneDefinition ring = test::mixture(60);
   ring.base.teeth = 5;
-  EXPECT_EQ(hash(ring), 11975547891600526415ull);
-  EXPECT_EQ(hash(test::openMixture(30)), 5065614366400087867ull);
+  EXPECT_EQ(hash(ring), 9745999892235013113ull);
+  EXPECT_EQ(hash(test::openMixture(30)), 9114443768208467886ull);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // What a scene asks to be observed, against a slow reader of its disks.
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 
 #include <algorithm>
 #include <cmath>

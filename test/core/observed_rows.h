@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 
 /// What a run has observed, by name.
 namespace ratchet_sieve::test

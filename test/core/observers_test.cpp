@@ -1,5 +1,5 @@
 // What the observers of contacts record for given outcomes.
-#include "state/observers.h"
+#include "state/event_log.h"
 
 #include <memory>
 #include <vector>
@@ -44,50 +44,47 @@ ContactOutcome opening(ContactOutcome outcome)
   return outcome;
 }
 
-TEST(BaseImpulses, AreThoseOfContactsWithTheBaseInTheWorld)
+TEST(SystemState, KeepsTheImpulseThatTheBaseGaveToDisksThatAreGone)
 {
-  BaseImpulses impulses;
-  for (int disk = 0; disk < 3; ++disk)
-    impulses.entered(Disk(), 0.0);
-  impulses.collided(onBase(0, CollisionKind::APEX));
-  impulses.collided(onBase(2, CollisionKind::APEX));
-  impulses.collided(ofPair(0, 1));
-  // J_n n + J_t t with t = (-0.8, 0.6).
-  const Eigen::Vector2d one(2.0 * 0.6 - 0.8, 2.0 * 0.8 + 0.6);
-  EXPECT_NEAR((impulses.of(0) - one).norm(), 0.0, 1e-15);
-  EXPECT_EQ(impulses.of(1), Eigen::Vector2d(0.0, 0.0));
-  EXPECT_NEAR((impulses.total() - 2.0 * one).norm(), 0.0, 1e-15);
-
-  impulses.compact({{1, 2}, {0}});
-  EXPECT_TRUE(impulses.fits(2));
-  EXPECT_EQ(impulses.of(0), Eigen::Vector2d(0.0, 0.0));
-  EXPECT_NEAR((impulses.of(1) - one).norm(), 0.0, 1e-15);
-  EXPECT_NEAR((impulses.total() - 2.0 * one).norm(), 0.0, 1e-15);
-  impulses.restart(0.0);
-  EXPECT_EQ(impulses.total(), Eigen::Vector2d(0.0, 0.0));
+  constexpr std::uint32_t GONE = 1024;
+  const Eigen::Vector2d one(0.25, 0.5);
+  SystemState system(test::openMixture(0));
+  for (std::uint32_t slot = 0; slot < GONE + 2; ++slot)
+  {
+    test::addDisk(system, Disk());
+    system.record(slot).base_impulse = one;
+    if (slot > 0 && slot <= GONE)
+      system.passEnd(slot, true, 0.0);
+  }
+  EXPECT_EQ(system.baseImpulse(), (GONE + 2) * one);
+  ASSERT_TRUE(system.compact());
+  EXPECT_EQ(system.disks().size(), 2u);
+  EXPECT_EQ(system.record(1).base_impulse, one);
+  EXPECT_EQ(system.baseImpulse(), (GONE + 2) * one);
+  system.restart(0.0);
+  EXPECT_EQ(system.baseImpulse(), Eigen::Vector2d(0.0, 0.0));
 }
 
-TEST(ContactTimes, AreThoseOfBothPartners)
+TEST(ContactExecution, KeepsTheTimesOfLastContactsOfBothPartnersAndTheImpulseOfTheBase)
 {
-  ContactTimes times(true);
-  for (int disk = 0; disk < 3; ++disk)
-    times.entered(Disk(), 0.0);
-  times.collided(ofPair(0, 2, 1.0));
-  times.collided(onBase(2, CollisionKind::APEX, 1.5));
-  EXPECT_TRUE(times.within(0.3, 0, 1.25));
-  EXPECT_FALSE(times.within(0.25, 0, 1.25));
-  EXPECT_FALSE(times.within(1e9, 1, 1.25));
-  EXPECT_TRUE(times.within(0.3, 2, 1.75));
-  times.rebase(1.0);
-  EXPECT_TRUE(times.within(0.3, 0, 0.25));
-  EXPECT_FALSE(times.within(0.3, 0, 1.25));
-  times.compact({{2}, {}});
-  EXPECT_TRUE(times.within(0.3, 0, 0.75));
-
-  ContactTimes none(false);
-  none.entered(Disk(), 0.0);
-  none.collided(onBase(0, CollisionKind::APEX, 1.0));
-  EXPECT_FALSE(none.within(1e9, 0, 1.0));
+  SceneDefinition scene = test::mixture(0);
+  scene.contact.contact_duration = 0.125;
+  test::Bench bench(scene);
+  Disk disk;
+  disk.position = {0.1, 0.5};
+  const std::uint32_t a = test::addDisk(bench.state, disk);
+  disk.position.x() += 0.9 * (bench.state.radius(a) + bench.state.radius(a));
+  disk.velocity.x() = -1.0;
+  const std::uint32_t b = test::addDisk(bench.state, disk);
+  disk.position.y() = 0.7;
+  const std::uint32_t c = test::addDisk(bench.state, disk);
+  EXPECT_FALSE(bench.execution.collidePair(a, b, 0, 0.0).lossless);
+  EXPECT_EQ(bench.state.record(a).last_contact, 0.0);
+  EXPECT_EQ(bench.state.record(b).last_contact, 0.0);
+  EXPECT_LT(bench.state.record(c).last_contact, -1e9);
+  EXPECT_EQ(bench.state.baseImpulse(), Eigen::Vector2d(0.0, 0.0));
+  bench.state.rebase(bench.state.epoch().length);
+  EXPECT_EQ(bench.state.record(a).last_contact, -bench.state.epoch().length);
 }
 
 TEST(Observers, TakeTheOverlapOfEveryContactAndCountWhatClosed)
@@ -96,10 +93,10 @@ TEST(Observers, TakeTheOverlapOfEveryContactAndCountWhatClosed)
   test::addDisk(system, Disk());
   ContactOutcome overlapping = opening(onBase(0, CollisionKind::WALL));
   overlapping.overlap = 1e-9;
-  system.observers().collided(overlapping);
-  EXPECT_EQ(system.observers().counts().collisions.total(), 0u);
-  EXPECT_EQ(system.observers().counts().max_overlap, 1e-9);
-  EXPECT_EQ(system.observers().impulses().total(), Eigen::Vector2d(0.0, 0.0));
+  system.collided(overlapping);
+  EXPECT_EQ(system.sums().contacts.counts.collisions.total(), 0u);
+  EXPECT_EQ(system.sums().contacts.counts.max_overlap, 1e-9);
+  EXPECT_EQ(system.baseImpulse(), Eigen::Vector2d(0.0, 0.0));
 }
 
 TEST(Observers, TellWhatClosedByIdsAndInTheRunsTime)
@@ -114,13 +111,12 @@ TEST(Observers, TellWhatClosedByIdsAndInTheRunsTime)
   ASSERT_TRUE(system.compact());
 
   std::vector<CollisionRecord> told;
-  Observers& observers = system.observers();
-  observers.observeCollisions([&](const CollisionRecord& collision) { told.push_back(collision); });
-  observers.collided(ofPair(0, 1, local));
-  observers.collided(opening(onBase(1, CollisionKind::WALL, local)));
-  observers.collided(onBase(1, CollisionKind::WALL, local));
-  observers.observeCollisions({});
-  observers.collided(onBase(1, CollisionKind::WALL, local));
+  system.log().observeCollisions([&](const CollisionRecord& collision) { told.push_back(collision); });
+  system.collided(ofPair(0, 1, local));
+  system.collided(opening(onBase(1, CollisionKind::WALL, local)));
+  system.collided(onBase(1, CollisionKind::WALL, local));
+  system.log().observeCollisions({});
+  system.collided(onBase(1, CollisionKind::WALL, local));
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[0].time, 1000.25);
   EXPECT_EQ(told[0].kind, CollisionKind::DISK_DISK);
@@ -132,7 +128,7 @@ TEST(Observers, TellWhatClosedByIdsAndInTheRunsTime)
   EXPECT_EQ(told[1].kind, CollisionKind::WALL);
   EXPECT_EQ(told[1].i, GONE + 1);
   EXPECT_FALSE(told[1].j);
-  EXPECT_EQ(observers.counts().collisions.total(), 3u);
+  EXPECT_EQ(system.sums().contacts.counts.collisions.total(), 3u);
 }
 
 /// Times round when the zero of time is moved.
@@ -181,7 +177,7 @@ public:
     rotation += 0.5 * elapsed * disk.spin * disk.spin;
   }
 
-  void left(const Departure& departure) override
+  void departed(const Departure& departure) override
   {
     inOrder(departure.time);
     EXPECT_NEAR(begins[system_.id(departure.slot)], system_.epoch().start + departure.time, ROUNDING);
@@ -212,8 +208,7 @@ private:
 struct Followed
 {
   explicit Followed(const SceneDefinition& scene)
-      : engine(scene, planOf(scene), 0.0, {}),
-        follower(engine.state().observers().add(std::make_unique<Follower>(engine.state())))
+      : engine(scene, 0.0, {}), follower(engine.state().log().add(std::make_unique<Follower>(engine.state())))
   {
   }
 
@@ -270,15 +265,14 @@ TEST(Observers, AddedAreToldOfEveryContactFlightAndDepartureInTheOrderOfTime)
     double translation = 0.0, rotation = 0.0;
     for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
     {
-      const TrajectorySums& trajectories = system.observers().trajectories();
-      Trajectory trajectory = trajectories[slot];
-      if (system.active(slot))
+      DiskRecord record = system.record(slot);
+      if (record.active)
       {
-        trajectory = trajectories.until(slot, system.disk(slot), followed.engine.now());
+        record.fly(system.disk(slot), followed.engine.now(), scene.gravity);
         told.follow(slot, system.disk(slot), followed.engine.now());
       }
-      translation += trajectory.translation;
-      rotation += trajectory.rotation;
+      translation += record.translation;
+      rotation += record.rotation;
     }
     // The sums begin anew at the end of `settle`.
     if (scene.settle == 0.0)

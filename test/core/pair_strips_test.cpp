@@ -44,11 +44,11 @@ std::uint64_t hashOf(Engine& engine)
 struct WatchedRun
 {
   WatchedRun(const SceneDefinition& scene, std::size_t threads, const StripSettings& strips)
-      : engine(scene, planOf(scene), 0.0, PourObserver())
+      : engine(scene, 0.0, PourObserver())
   {
     engine.setThreads(threads, strips);
-    engine.state().observers().observeCollisions([this](const CollisionRecord& record)
-                                                 { collisions.push_back(record); });
+    engine.state().log().observeCollisions([this](const CollisionRecord& record)
+                                           { collisions.push_back(record); });
   }
 
   Engine engine;
@@ -107,7 +107,7 @@ void expectSameBits(const SceneDefinition& scene, bool commands)
   }
   for (WatchedRun* strips : {&one, &three})
   {
-    EXPECT_GT(strips->engine.stripCounts().events, strips->engine.events() / 8);
+    EXPECT_GT(strips->engine.eventsInStrips(), strips->engine.events() / 8);
     ASSERT_TRUE(haveTheSame(queue, *strips));
   }
 }
@@ -161,7 +161,7 @@ TEST(PairStrips, HaveTheBitsOfASingleQueueWhereverTheyAreCut)
           RC_ASSERT(hashOf(queue.engine) == hashOf(cut.engine));
         }
         RC_ASSERT(haveTheSame(queue, cut));
-        events_in_strips += cut.engine.stripCounts().events;
+        events_in_strips += cut.engine.eventsInStrips();
       }));
   EXPECT_GT(events_in_strips, 0u);
 }

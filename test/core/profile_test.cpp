@@ -157,9 +157,9 @@ TEST(Profile, OfASawtoothIsTheSawtooth)
     scene.base.teeth = 5;
     const SceneDefinition profile = test::onProfile(scene, test::asProfile(scene.base));
     EXPECT_FALSE(planOf(profile).simd);
-    Plan plan = planOf(scene);
-    plan.simd = false;
-    Simulation sawtooth(scene, plan);
+    if (planOf(scene).simd)
+      scene.contact.contact_duration = 1e-300;  // without SIMD
+    Simulation sawtooth(scene);
     Simulation same(profile);
     for (Simulation* simulation : {&sawtooth, &same})
     {

@@ -121,7 +121,7 @@ inline void runReference(const SceneDefinition& scene, double end, const Collisi
                          const Turn& turn = {}, int images = 3)
 {
   Bench bench(scene);
-  bench.state.observers().observeCollisions(observer);
+  bench.state.log().observeCollisions(observer);
   placeInitialDisks(bench.state, 0.0);
   Random random(scene.seed);
   pourDisks(bench.state, pourOrder(scene.species, random), Stretch(), 0.0, random);

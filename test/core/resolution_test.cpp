@@ -43,26 +43,20 @@ TEST(Resolution, TheLongestEpochKeepsAFastBaseFromOverlapping)
   EXPECT_EQ(longestEpoch(0.0, 1e-6), std::numeric_limits<double>::infinity());
 }
 
+TEST(Resolution, TheLongestFallKeepsAFastDiskFromOverlapping)
+{
+  const double length = longestFall(9.81, 1e-6);
+  EXPECT_LE(9.81 * length * timeResolution(length), 0.05e-9 * 1e-6);
+  EXPECT_GT(9.81 * 2.0 * length * timeResolution(2.0 * length), 0.05e-9 * 1e-6);
+  EXPECT_EQ(std::exp2(std::round(std::log2(length))), length);
+  EXPECT_EQ(longestFall(0.0, 1e-6), std::numeric_limits<double>::infinity());
+}
+
 TEST(Resolution, AnEpochIsAPowerOfTwoOfEightTimeScalesOrMore)
 {
   EXPECT_EQ(epochLength(1.0), 8.0);
   EXPECT_EQ(epochLength(1.01), 16.0);
   EXPECT_EQ(epochLength(1.0 / 23.0), 0.5);
-}
-
-TEST(Resolution, TheFinestDiskComesOfTheLargestPlaceOrTheFastestSpeed)
-{
-  SceneDefinition scene = test::mixture(1);
-  // Four roundings of 2^-52 over 1e-9: 8.9e-7 of the width.
-  scene.base.teeth = 5000;
-  EXPECT_NEAR(finestDisk(scene).radius, 8.88e-7 * 100.0, 1e-6);
-  EXPECT_EQ(finestDisk(scene).reason, "the base's width is 100 m");
-  // 6283 m/s times four roundings of 1/64 s.
-  scene.base.teeth = 5;
-  scene.base.frequency = 1000.0;
-  scene.base.amplitude = 1.0;
-  EXPECT_NEAR(finestDisk(scene).radius, 6283.2 * 8.88e-16 / 64.0 / 1e-9, 1e-7);
-  EXPECT_EQ(finestDisk(scene).reason, "the drive's speed is 6283.19 m/s");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "profiles.h"
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "runs.h"
 #include "scenes.h"
@@ -31,7 +31,7 @@ struct BitsCase
   std::string name;
   SceneDefinition scene;
   Command command = [](Simulation&) {};
-  double longer = 1.0;  ///< by this factor the times of the run
+  double longer = 1.0;  ///< by this factor the times of the run: less where much happens
 };
 
 void turnAndPour(Simulation& simulation)
@@ -174,13 +174,14 @@ std::vector<BitsCase> bitsCases()
       {"no drive", withoutDrive(), setGoing},
       {"collapsing", collapsing()},
       {"steps", test::bySteps(layerOf(), 0.0013), turnAndPour},
-      {"wide sizes", ofWideSizes(Boundary::PERIODIC), turnAndPour},
-      {"wide sizes, walled", ofWideSizes(Boundary::WALLED), turnAndPour},
+      {"wide sizes", ofWideSizes(Boundary::PERIODIC), turnAndPour, 0.4},
+      {"wide sizes, walled", ofWideSizes(Boundary::WALLED), turnAndPour, 0.4},
       {"finer epoch", ofTinyDisksAtRest(true), speedUp},
       {"finer epoch of an ensemble", ofTinyDisksAtRest(false), speedUp},
   };
   for (const SceneDefinition& scene : test::variantsForSimd())
     all.push_back({"ensemble in SIMD batches", scene});
+  all.back().longer = 0.2;
   for (std::size_t k = 0; k < all.size(); ++k)
     all[k].name = std::to_string(k) + "_" + std::regex_replace(all[k].name, std::regex("\\W+"), "_");
   return all;

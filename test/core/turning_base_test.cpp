@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 

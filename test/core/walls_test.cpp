@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 
 #include <cmath>
 

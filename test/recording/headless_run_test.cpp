@@ -113,7 +113,7 @@ TEST(HeadlessRun, ReportsAnEnergyBeyondTheMachinesScale)
   scene.duration = 100.0;
   Simulation simulation(scene);
   const RunOutcome outcome = runToEnd(simulation, {});
-  EXPECT_EQ(outcome.warnings, std::vector<std::string>{withId(simulation.energyText(), "large-energy")});
+  EXPECT_EQ(outcome.warnings, std::vector<std::string>{withId(energyText(simulation), "large-energy")});
 }
 
 /// A walled base 2 m wide: it may turn at 0.858 rad/s.

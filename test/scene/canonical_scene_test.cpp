@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 #include "scene_texts.h"
 
 namespace ratchet_sieve

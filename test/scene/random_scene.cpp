@@ -5,10 +5,10 @@
 #include "core/profiles.h"
 #include "draws.h"
 #include "model/base_motion.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/layer.h"
-#include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/resolution.h"
+#include "ratchet_sieve/core/results.h"
 #include "ratchet_sieve/core/sizes.h"
 
 namespace ratchet_sieve

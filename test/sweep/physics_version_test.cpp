@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/scenes.h"
-#include "ratchet_sieve/core/fnv1a.h"
+#include "ratchet_sieve/scene/fnv1a.h"
 #include "ratchet_sieve/sweep/case.h"
 
 namespace ratchet_sieve

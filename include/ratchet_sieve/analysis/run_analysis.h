@@ -30,7 +30,7 @@ struct Drift
 };
 
 /// The result of a run, computed from its frames alone. Of a long series every 2^k-th sample is
-/// kept, and the last; of the bins every change.
+/// kept, and the last; of the bins every change, if wanted.
 struct RunResult
 {
   SceneFrame scene_frame;
@@ -47,7 +47,7 @@ struct RunResult
   std::vector<DisplacementDistribution> displacement_distributions;
   std::vector<Drift> drift;
 
-  std::vector<BinFrame> bins;  ///< first, every change, last
+  std::vector<BinFrame> bins;  ///< first, changes, last
   std::vector<BaseFrame> base;
   std::vector<StatisticsFrame> statistics;
   std::vector<Observed> observed;  ///< of the last frame, which is of the whole run
@@ -65,7 +65,8 @@ struct RunResult
 class RunAnalysis : public FrameSink
 {
 public:
-  RunAnalysis();
+  /// @param every_change of the bins is kept; otherwise they are a long series as all others
+  explicit RunAnalysis(bool every_change = true);
   ~RunAnalysis() override;
 
   /// @throws SceneError if a scene's YAML is invalid
@@ -77,6 +78,7 @@ public:
 
 private:
   struct Run;
+  bool every_change_;
   std::unique_ptr<Run> run_;
 };
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve

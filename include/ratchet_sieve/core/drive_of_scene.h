@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 
 namespace ratchet_sieve
 {

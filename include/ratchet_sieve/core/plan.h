@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "ratchet_sieve/core/definition.h"
 
 namespace ratchet_sieve
@@ -17,8 +15,7 @@ struct Plan
   bool spin = true;    ///< tangential impulses and rotation
   bool drive = true;   ///< a moving base: phase and sine at every evaluation
   bool orbit = false;  ///< the drive has a horizontal part or harmonics, or moves along the base's axes
-  bool contact_times = true;      ///< the time of each disk's last contact, for t_c
-  bool search_above_band = true;  ///< step-by-step search even above the height that the base reaches
+  bool contact_times = true;  ///< the time of each disk's last contact, for t_c
 
   /// SIMD: several disks at a time (simd_batch.h), while the base is at its setpoints. Only for independent
   /// disks without contact times on a periodic sawtooth with a vertical sine drive. The contacts are the same
@@ -29,12 +26,5 @@ struct Plan
 /// The cheapest plan that gives the scene's results. A setpoint that starts or turns a standing base is
 /// followed even if the plan has no `drive`: BaseMotion checks for that in each segment.
 Plan planOf(const SceneDefinition& scene);
-
-/// Whether `plan` gives the results of the scene: it includes all that the scene needs, and SIMD only for
-/// scenes that support it.
-bool covers(const Plan& plan, const SceneDefinition& scene);
-
-/// One line for the user: which parts are computed, which are not, and why.
-std::string planText(const Plan& plan);
 
 }  // namespace ratchet_sieve

@@ -1,12 +1,18 @@
 #pragma once
 
-#include <string>
+#include <limits>
 
 #include "ratchet_sieve/core/definition.h"
 
 /// How finely double precision resolves the times and positions of a scene.
 namespace ratchet_sieve
 {
+
+/// As a fraction of a disk's radius; the accuracy goal of the engine.
+constexpr double LARGEST_OVERLAP = 1e-9;
+
+/// The rounding of a gap, as a fraction of the largest position: four resolutions of a double.
+constexpr double GAP_ROUNDING = 4.0 * std::numeric_limits<double>::epsilon();
 
 /// The largest of the pour speed, the speeds of the initial disks and the minimum rebound speed [m/s].
 double startSpeed(const SceneDefinition& scene);
@@ -25,8 +31,8 @@ double epochLength(double time_scale);
 /// infinity if the speed is 0.
 double longestEpoch(double speed, double radius);
 
-/// The same for disks that fall, but a tenth of that overlap: flights, too, are counted from the start of an
-/// epoch.
+/// The same for disks that fall, but a twentieth of that overlap: flights, too, are counted from the start of
+/// an epoch.
 double longestFall(double gravity, double radius);
 
 /// The largest distance from the origin at which positions are resolved finely enough for disks of this
@@ -35,16 +41,5 @@ double farthestPlace(double radius);
 
 /// Times that differ by less than this are treated as equal [s].
 double timeResolution(double epoch_length);
-
-/// The smallest disk radius that a scene may have.
-struct FinestDisk
-{
-  double radius = 0.0;  ///< [m]
-  std::string reason;   ///< the reason for the limit, for example "the base is 0.4 m wide"
-};
-
-/// Smaller disks would overlap by more than 1e-9 of their radius. Two causes: the rounding of positions as
-/// large as the scene's, or the distance that the fastest disks move within the time resolution.
-FinestDisk finestDisk(const SceneDefinition& scene);
 
 }  // namespace ratchet_sieve

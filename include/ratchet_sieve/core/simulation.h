@@ -17,8 +17,8 @@
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/flow_series.h"
-#include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/plan.h"
+#include "ratchet_sieve/core/results.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/core/state_archive.h"
@@ -41,10 +41,6 @@ public:
   /// @param start_time the time of the pour [s]; the scene's phase is the phase of the drive at this time
   explicit Simulation(const SceneDefinition& scene, double start_time = 0.0,
                       const PourObserver& pour_observer = {});
-
-  /// Pours the disks of the scene into a run that computes more than the scene needs, to measure the cost.
-  /// @throws std::invalid_argument also if the plan does not cover the scene
-  Simulation(const SceneDefinition& scene, const Plan& plan);
 
   /// Resumes a saved run, bit for bit.
   /// @param scene the scene of the saved run; only `duration` and the requested accuracy may differ
@@ -133,9 +129,8 @@ public:
   bool stalled() const;  ///< whether a collapse has ended the run
   const CollapseCounts& collapses() const;
   std::string collapseText() const;  ///< one line with the figures; empty without a collapse
-  double largestEnergy() const;      ///< largest energy of a disk at the end of an epoch, see EnergyWatch
-  std::string energyText()
-      const;  ///< one line with the figures; empty unless a disk's energy is implausibly large
+  double largestEnergy() const;      ///< of a disk at the end of an epoch, in scales of the machine
+  const std::optional<LargeEnergy>& implausibleEnergy() const;  ///< of the first disk that had one
   double maxOverlap() const;  ///< largest overlap so far, at a collision or in auditOverlaps() [m]
 
   /// How often a disk was found below the base's surface and moved out; only with Method::STEPS.

@@ -45,7 +45,7 @@ private:
   void begin(const SceneFrame& frame);
 
   std::size_t size_;
-  RunAnalysis analysis_;
+  RunAnalysis analysis_{false};
   Scene scene_;
   std::unique_ptr<MotionRecord> motion_;  ///< refers to the scene; nothing before one was taken
   std::vector<CommandFrame> commands_;

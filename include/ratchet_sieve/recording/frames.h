@@ -8,7 +8,7 @@
 
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/fields.h"
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/statistics_window.h"

@@ -12,6 +12,9 @@ namespace ratchet_sieve
 /// The figures of chokeOf() in one line.
 std::string chokeText(const Simulation& simulation);
 
+/// The figures of an implausibly large energy of a disk in one line.
+std::string energyText(const Simulation& simulation);
+
 /// The number of disks that have left a walled machine over its walls; 0 for other machines.
 std::uint64_t disksOverWalls(const Simulation& simulation);
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 #include "ratchet_sieve/scene/entry.h"
 
 /// Reads values strictly: text is not a number, a number is not a truth value, and an integer has no

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <new>
 #include <string>
@@ -20,6 +21,12 @@ inline std::string shownText(std::string text, std::size_t longest = 60)
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == DELETE; }, ' ');
   return text;
+}
+
+/// `1 case`, `2 cases`. @param noun in the singular; its plural ends in s
+inline std::string countText(std::uint64_t count, const std::string& noun)
+{
+  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
 }
 
 /// What a program says of an error that ends it.

@@ -16,6 +16,8 @@ def draw(answer, axes=None):
         keys = answer.machine.keys
         {1: _curve, 2: _map}.get(len(keys), _points)(axes, answer, *keys[:2])
         axes.set_xlabel(label(keys[0]))
+        if not answer.separated:
+            axes.set_title(str(answer).splitlines()[0])
         return axes
 
 
@@ -47,14 +49,18 @@ def _curve(axes, answer, key):
         axes.errorbar(answer.best[key], answer.separation.value, answer.separation.half_width, color="black", fmt="*",
                       markersize=9, capsize=2, zorder=5, label="fresh seeds")
     axes.plot(answer.runs[key], answer.seen.value, ".", label="runs", **RUNS)
-    axes.set_ylabel(label(answer.machine.goal))
+    axes.set_ylabel(_goal(answer))
     axes.legend()
+
+
+def _goal(answer):
+    return label(answer.machine.goal, answer.machine.scene.species)
 
 
 def _map(axes, answer, x, y):
     table = answer.map.pivot(index=y, columns=x, values="value")
     xs, ys = table.columns.to_numpy(float), table.index.to_numpy(float)
-    value_map(axes, _edges(xs), _edges(ys), table.to_numpy(), label(answer.machine.goal))
+    value_map(axes, _edges(xs), _edges(ys), table.to_numpy(), _goal(answer))
     axes.plot(answer.runs[x], answer.runs[y], ".", label="runs", **RUNS)
     if answer.best:
         good = answer.map.pivot(index=y, columns=x, values="as_good").to_numpy(float)
@@ -71,7 +77,7 @@ def _points(axes, answer, key, *_):
     axes.plot(answer.runs[key], answer.seen.value, ".", label="runs", **RUNS)
     if answer.best:
         _best(axes, answer.best[key], answer.separation.value)
-    axes.set_ylabel(label(answer.machine.goal))
+    axes.set_ylabel(_goal(answer))
     axes.legend()
 
 

@@ -51,16 +51,16 @@ std::size_t DiskCells::reserve(std::size_t count)
   return capacity_;
 }
 
-void DiskCells::add(std::uint32_t slot, double time, ThreadBuffer* share)
+void DiskCells::add(std::uint32_t slot, double time, ThreadBuffer* buffer)
 {
   if (lattice_turns_)
     images_[slot] -= static_cast<std::int32_t>(state_.widthsOutside(inGrid(slot, time).s()));
   else
-    state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time, share);
+    state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time, buffer);
   grid_.add(slot, cellNow(slot, time), state_.radius(slot));
 }
 
-bool DiskCells::cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* share)
+bool DiskCells::cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* buffer)
 {
   CellGrid::Cell cell = grid_.cellOf(slot);
   grid_.remove(slot);
@@ -72,9 +72,9 @@ bool DiskCells::cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* 
   if (wraps)
   {
     if (grid_.laps() > 0)
-      state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time, share);
+      state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time, buffer);
     else
-      state_.wrap(slot, -laps, time, share);
+      state_.wrap(slot, -laps, time, buffer);
     cell.row = cellNow(slot, time).row;
   }
   else if (laps != 0)
@@ -85,21 +85,20 @@ bool DiskCells::cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* 
 
 bool DiskCells::endEpoch(std::uint64_t events, double time)
 {
-  const std::optional<double> searches = fit_.epochEnded(events, state_.activeCount());
+  const std::optional<double> searches = layout_.epochEnded(events, state_.activeCount());
   if (!searches)
     return false;
-  std::vector<BasePoint> points;
+  CellLayout::Disks disks{{}, state_.shape().width(), *searches / state_.epoch().length, 0};
   for (const std::uint32_t slot : state_.slots(true))
-    points.push_back(inGrid(slot, time));
-  const int spare_laps = state_.scene().boundary == Boundary::PERIODIC ? laps() : 0;
-  const LayoutCosts costs(points, state_.shape().width(), *searches / state_.epoch().length, spare_laps);
-  const Sizes now = sizes();
-  return fit_.choose(costs, layerLayout(now), now.least_side);
+    disks.points.push_back(inGrid(slot, time));
+  if (state_.scene().boundary == Boundary::PERIODIC)
+    disks.laps = laps();
+  return layout_.choose(disks, sizeForLayer(sizes()));
 }
 
 void DiskCells::archive(StateArchive& state)
 {
-  state(frame_, above_base_, fit_, lattice_turns_, images_, grid_, capacity_, built_for_);
+  state(frame_, above_base_, layout_, lattice_turns_, images_, grid_, capacity_, built_for_);
   if (state.restoring())
     openSeam();
 }
@@ -119,13 +118,13 @@ CellGrid DiskCells::makeGrid()
                     : std::numeric_limits<double>::infinity();
   images_.assign(lattice_turns_ ? capacity_ : 0, 0);
   const Sizes now = sizes();
-  const CellLayout layout = fit_.layout().value_or(layerLayout(now));
-  const double side = std::max(layout.smallest_side, now.least_side);
+  const CellLayout::Size size = layout_.chosen().value_or(sizeForLayer(now));
+  const double side = std::max(size.least_side, now.least_side);
   const std::size_t count = std::max<std::size_t>(1, state_.activeCount());
-  const CellShape shape(scene.base.width(), layout.height, side,
+  const CellShape shape(scene.base.width(), size.height, side,
                         now.levels.count() > 1 ? std::max(count, MOST_NESTED_CELLS) : count, periodic);
   return CellGrid(shape, now.levels, NEST_MARGIN * now.levels.diameters[0] + latticeMargin(), count,
-                  fit_.layout() ? laps() : 0);
+                  layout_.chosen() ? laps() : 0);
 }
 
 /// While a periodic base turns, its lattice turns relative to the cells, by up to this length [m].
@@ -170,7 +169,7 @@ DiskCells::Sizes DiskCells::sizes() const
 }
 
 /// Cells for a vibrated layer.
-CellLayout DiskCells::layerLayout(const Sizes& sizes) const
+CellLayout::Size DiskCells::sizeForLayer(const Sizes& sizes) const
 {
   const SceneDefinition& scene = state_.scene();
   const double layers = sizes.squares / scene.base.width();

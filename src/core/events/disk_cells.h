@@ -23,8 +23,7 @@ namespace ratchet_sieve
 /// where the images rise or sink by several rows.
 ///
 /// The cells are sized for a vibrated layer. In a dilute, fast system most events would be cell crossings. So
-/// at the end of an epoch the grid is rebuilt if LayoutCosts finds another layout cheaper for the present
-/// disks.
+/// at the end of an epoch the grid is rebuilt if another CellLayout is cheaper for the present disks.
 class DiskCells
 {
 public:
@@ -52,17 +51,17 @@ public:
   bool crowdedBy(std::size_t count) const { return count > 2 * built_for_; }
 
   /// Adds a disk to its cell, wrapped into the width, because a new grid may have left it outside.
-  /// @param share as in Observers::collided(), here and below. Several threads may move disks between cells
-  /// of different columns at the same time.
-  void add(std::uint32_t slot, double time, ThreadBuffer* share = nullptr);
+  /// @param buffer as in SystemState::collided(), here and below. Several threads may move disks between
+  /// cells of different columns at the same time.
+  void add(std::uint32_t slot, double time, ThreadBuffer* buffer = nullptr);
   void remove(std::uint32_t slot) { grid_.remove(slot); }
   const CellGrid& grid() const { return grid_; }
 
   /// Moves a disk to the cell of its new image.
-  void replace(std::uint32_t slot, double time, ThreadBuffer* share)
+  void replace(std::uint32_t slot, double time, ThreadBuffer* buffer)
   {
     remove(slot);
-    add(slot, time, share);
+    add(slot, time, buffer);
   }
 
   /// When the disk next leaves its cell after `start` and before `until`, and by which edge.
@@ -73,7 +72,6 @@ public:
     const BasePoint at = inGrid(slot, start);
     const auto fall = verticalIntoBase(frame_.rotation, -state_.scene().gravity);
     Crossing first{Edge::NONE, until};
-    // Inlined: a call costs 1 % of a run.
     const auto leave = [&](Edge edge, double gap, double rate, double accel) __attribute__((always_inline))
     {
       // Most edges are not reached, which needs no square root to decide: if the gap is positive at both ends
@@ -100,10 +98,10 @@ public:
   bool aboveBase(std::uint32_t slot) const { return grid_.rowStart(grid_.cellOf(slot).row) >= above_base_; }
 
   /// Moves a disk over an edge into the next cell. @return whether it was wrapped, which changes its flight
-  bool cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* share);
+  bool cross(std::uint32_t slot, Edge edge, double time, ThreadBuffer* buffer);
 
   /// To be called after crossings, with their number.
-  void countCrossings(std::uint64_t crossings) { fit_.crossed(crossings); }
+  void countCrossings(std::uint64_t crossings) { layout_.countCrossings(crossings); }
 
   /// The cells of the disks, without what decides on the grid.
   struct Snapshot
@@ -158,12 +156,11 @@ private:
     double least_side;  ///< smallest allowed side of a cell [m]
   };
   Sizes sizes() const;
-  CellLayout layerLayout(const Sizes& sizes) const;
+  CellLayout::Size sizeForLayer(const Sizes& sizes) const;
   std::int32_t laps() const;
   CellGrid::Cell cellNow(std::uint32_t slot, double time) const;
 
   /// The position of a disk, or of its image in the grid, in the fixed frame of the cells.
-  // Inlined: a call costs 2 % of a run.
   [[gnu::always_inline]] BasePoint inGrid(std::uint32_t slot, const Kinematics& now) const
   {
     BasePoint point{frame_.into(vectorOf(now.position)), frame_.into(vectorOf(now.velocity))};
@@ -177,7 +174,7 @@ private:
   SystemState& state_;
   FrameOfBase frame_;        ///< of the cells: see makeGrid()
   double above_base_ = 0.0;  ///< from this height over its lowest corner on, no disk reaches the base [m]
-  CellFit fit_;
+  CellLayout layout_;
   std::size_t capacity_;
   std::size_t built_for_;             ///< number of disks when the grid was built
   bool lattice_turns_ = false;        ///< whether the grid was built on a periodic base that turns

@@ -5,7 +5,6 @@
 #include <string>
 #include <thread>
 
-#include "ratchet_sieve/core/count_text.h"
 #include "simd/simd_batch.h"
 #include "state/placement.h"
 
@@ -27,9 +26,8 @@ const Engine::MachineEvent Engine::MACHINE_EVENTS[] = {{&Engine::nextSettle, &En
                                                        {&Engine::nextFeed, &Engine::feed},
                                                        {&Engine::nextEpochEnd, &Engine::endEpoch}};
 
-Engine::Engine(const SceneDefinition& scene, const Plan& plan, double start_time,
-               const PourObserver& pour_observer)
-    : state_(scene, plan), random_(scene.seed), feed_random_(scene.seed ^ FEED_STREAM), start_(start_time)
+Engine::Engine(const SceneDefinition& scene, double start_time, const PourObserver& pour_observer)
+    : state_(scene), random_(scene.seed), feed_random_(scene.seed ^ FEED_STREAM), start_(start_time)
 {
   now_ = state_.startAt(start_);
   next_feed_ = start_;
@@ -65,7 +63,7 @@ void Engine::advanceTo(double time)
       throw StallError(state_.collapseWatch().text());
     const double target = time - state_.epoch().start;
     now_ = loop_->advanceTo(std::min(target, nextMachineEvent()));
-    state_.observers().deliver();
+    state_.log().deliver();
     if (state_.collapseWatch().stops())
       stopAtATimeOfTheRun();
     else if (!executeMachineEvent() && now_ >= target)
@@ -76,8 +74,8 @@ void Engine::advanceTo(double time)
 void Engine::pour(std::size_t species, std::size_t count, const PourObserver& observer)
 {
   if (const std::size_t present = state_.activeCount(); present > MOST_DISKS || count > MOST_DISKS - present)
-    throw std::invalid_argument("a pour of " + countText(count, "disk") + " onto " + std::to_string(present) +
-                                ": there must be at most " + std::to_string(MOST_DISKS) + " in total");
+    throw std::invalid_argument("a pour of " + std::to_string(count) + " onto " + std::to_string(present) +
+                                " disks: there must be at most " + std::to_string(MOST_DISKS) + " in total");
   pour(species, count, state_.scene().pour.stretch, observer);
 }
 
@@ -109,7 +107,7 @@ void Engine::setThreads(std::size_t threads, const StripSettings& strips)
 std::size_t Engine::auditOverlaps()
 {
   const Audit found = audit(state_, loop_->executedUntil(now_));
-  state_.observers().counts().addOverlap(found.largest_overlap);
+  state_.sums().contacts.counts.addOverlap(found.largest_overlap);
   return found.behind_surface;
 }
 
@@ -149,12 +147,12 @@ std::optional<double> Engine::nextSettle() const
 void Engine::settle()
 {
   settled_ = true;
-  state_.observers().restart(now_);
+  state_.restart(now_);
 }
 
 std::optional<double> Engine::nextBlockEnd() const
 {
-  if (!settled_ || !state_.observers().keepsBlocks())
+  if (!settled_ || !(state_.sums().averages.keepsSeries() || state_.log().wantsBlocks()))
     return std::nullopt;
   return local(blockEnd(blocks_ + 1));
 }
@@ -168,7 +166,8 @@ double Engine::blockTime() const
 void Engine::endBlock()
 {
   ++blocks_;
-  state_.observers().endBlock(now_);
+  state_.sums().averages.endBlock(now_);
+  state_.log().endBlock(now_);
 }
 
 void Engine::beginSegment()
@@ -209,7 +208,7 @@ void Engine::endEpoch()
 {
   const bool moving = state_.motion().nextChange().has_value();
   loop_->catchUp(now_);
-  state_.observers().endEpoch(now_);
+  state_.sums().energies.check(now_);
   moveZero(state_.epoch().length);
   // Otherwise memory and scan time would grow without limit in a machine with a feed.
   if (state_.compact())

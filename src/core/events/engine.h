@@ -22,8 +22,7 @@ class Engine
 {
 public:
   /// Begins a run at `start_time` of the run [s]. See Simulation.
-  Engine(const SceneDefinition& scene, const Plan& plan, double start_time,
-         const PourObserver& pour_observer);
+  Engine(const SceneDefinition& scene, double start_time, const PourObserver& pour_observer);
 
   /// Resumes a saved run. @throws StateError
   Engine(const SceneDefinition& scene, std::string_view saved_state);
@@ -34,7 +33,7 @@ public:
   const SystemState& state() const { return state_; }
   SystemState& state() { return state_; }
   std::uint64_t events() const { return loop_->events(); }
-  StripCounts stripCounts() const { return loop_->stripCounts(); }
+  std::uint64_t eventsInStrips() const { return loop_->eventsInStrips(); }
   bool settled() const { return settled_; }
   double now() const { return now_; }
 
@@ -43,8 +42,8 @@ public:
   {
     return settledTime() + static_cast<double>(blocks) * blockTime();
   }
-  MeanSeries meanSeries() const { return state_.observers().averages().series(blockTime()); }
-  FlowSeries flowSeries() const { return state_.observers().flowSeries(settledTime(), blockTime()); }
+  MeanSeries meanSeries() const { return state_.sums().averages.series(blockTime()); }
+  FlowSeries flowSeries() const { return state_.log().flowSeries(settledTime(), blockTime()); }
 
   /// In the run's time [s].
   double startTime() const { return start_; }

@@ -50,8 +50,8 @@ class EnsembleLoop : public EventLoop
 public:
   explicit EnsembleLoop(SystemState& state)
       : state_(state),
-        share_(state.observers().buffer()),
-        execution_(state, &share_),
+        buffer_(state.log().buffer()),
+        execution_(state, &buffer_),
         base_(state.motion()),
         kernel_(widestKernel(laneLimit()))
   {
@@ -73,7 +73,7 @@ public:
       state_.collapseWatch().setCounts(collapses);
     }
     events_ += pass_events_;
-    state_.merge(std::move(share_));
+    state_.merge(std::move(buffer_));
     if (repeated && next_[last.slot].time == last.time && state_.collapseWatch().endsAt(last.slot, last.time))
     {
       state_.collapseWatch().count(last.slot, last.time);
@@ -177,7 +177,7 @@ private:
     std::size_t most = std::numeric_limits<std::uint32_t>::max();
     if (state_.scene().contact.on_collapse == CollapseAction::STOP)
       most = EVENTS_IN_A_PASS;
-    if (state_.observers().collects())
+    if (state_.log().collects())
       most =
           std::min(most, std::max(FEW_EVENTS, NOTICES_IN_A_PASS / std::max<std::size_t>(1, copies_.size())));
     return static_cast<std::uint32_t>(most);
@@ -188,7 +188,7 @@ private:
   {
     most_events_ = mostEvents();
     pass_events_ = 0;
-    share_ = state_.observers().buffer();
+    buffer_ = state_.log().buffer();
     behind_.clear();
     for (const Copy& copy : copies_)
       if (hasEventUntil(last, copy.slot))
@@ -242,7 +242,7 @@ private:
   /// Merges the results of one thread. Leaves in behind_ the disks that have not reached the last event.
   void takeIn(BatchRun& run, const LastEvent& last)
   {
-    const BatchRun::Report report = run.takeReport(share_);
+    const BatchRun::Report report = run.takeReport(buffer_);
     pass_events_ += report.events;
     for (const std::uint32_t slot : report.not_ordinary)
     {
@@ -291,7 +291,7 @@ private:
   {
     if (state_.scene().boundary == Boundary::PERIODIC)
       state_.wrapIntoWidth(slot, state_.search().seenFromBase(state_.disk(slot), base_.at(now), now).s(), now,
-                           &share_);
+                           &buffer_);
   }
 
   BaseEvent search(std::uint32_t slot, double from)
@@ -301,7 +301,7 @@ private:
   }
 
   SystemState& state_;
-  ThreadBuffer share_;  ///< of the present pass
+  ThreadBuffer buffer_;  ///< of the present pass
   ContactExecution execution_;
   BaseInstant base_;
   const BatchKernel& kernel_;

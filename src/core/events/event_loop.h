@@ -28,20 +28,6 @@ struct StripSettings
   double events_per_column = 1.5;        ///< in a window
 };
 
-/// What strips of a layer have done so far, those windows included that were repeated with a single queue.
-struct StripCounts
-{
-  std::uint64_t events = 0;
-  std::uint64_t windows = 0;
-
-  /// The events that follow one another if each strip has a thread: in each window those of the strip with
-  /// the most events, then those of the cut with the most.
-  std::uint64_t critical_events = 0;
-
-  double meeting = 0.0;  ///< sum over the threads of the time between phases, waiting or working alone [s]
-  double alone = 0.0;    ///< time for copies, by two threads, and in which one counted and handed over [s]
-};
-
 /// Advances the disks of a system from event to event. Times are local to the epoch.
 ///
 /// The results do not depend on how a caller divides the time into calls: the same events occur with the same
@@ -87,8 +73,8 @@ public:
   /// Number of events so far: collisions, and internal events of the search.
   std::uint64_t events() const { return events_; }
 
-  /// All zero for a loop without strips.
-  virtual StripCounts stripCounts() const { return {}; }
+  /// Those of them that strips of a layer have executed.
+  virtual std::uint64_t eventsInStrips() const { return 0; }
 
   /// Continues the count of a previous loop.
   void setEvents(std::uint64_t events) { events_ = events; }

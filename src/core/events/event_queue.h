@@ -117,14 +117,7 @@ private:
 
     Group() { times.fill(NEVER); }
 
-    double earliest() const
-    {
-      const auto& t = times;
-      const auto of_two = [](double a, double b) { return a < b ? a : b; };
-      const auto of_four = [&](std::size_t i)
-      { return of_two(of_two(t[i], t[i + 1]), of_two(t[i + 2], t[i + 3])); };
-      return of_two(of_two(of_four(0), of_four(4)), of_two(of_four(8), of_four(12)));
-    }
+    double earliest() const { return smallest(times.data()); }
 
     /// The index of the first that is not later. @pre there is one
     std::size_t find(double time) const { return static_cast<std::size_t>(__builtin_ctz(upTo(time))); }

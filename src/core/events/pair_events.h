@@ -74,14 +74,14 @@ class PairEvents
 {
 public:
   /// @param layer, queue outlive this
-  /// @param share as in Observers::collided()
-  PairEvents(PairLayer& layer, Queue& queue, ContactExecution execution, ThreadBuffer* share)
+  /// @param buffer as in SystemState::collided()
+  PairEvents(PairLayer& layer, Queue& queue, ContactExecution execution, ThreadBuffer* buffer)
       : layer_(layer),
         state_(layer.state),
         cells_(layer.cells),
         queue_(queue),
         execution_(std::move(execution)),
-        share_(share),
+        buffer_(buffer),
         base_(layer.state.motion())
   {
   }
@@ -173,7 +173,7 @@ private:
     if (state_.active(slot))
     {
       if (feature.isEnd())
-        cells_.replace(slot, now, share_);
+        cells_.replace(slot, now, buffer_);
       return predict(slot, now);
     }
     cells_.remove(slot);
@@ -185,7 +185,7 @@ private:
   {
     ++crossings_;
     const CellEdge edge = prediction(slot).edge;
-    if (cells_.cross(slot, edge, now, share_))
+    if (cells_.cross(slot, edge, now, buffer_))
       return predict(slot, now);
     searchPairsIn(slot, edge, now);
     prediction(slot).edge = CellEdge::NONE;
@@ -228,8 +228,9 @@ private:
     const Kinematics point = state_.flown(slot, p.base.time);
     if (p.edge == CellEdge::NONE && p.cell_time < p.pair.time)
     {
-      const DiskCells::Crossing crossing = cells_.nextCrossing(
-          slot, p.cell_time == point.time ? point : state_.flown(slot, p.cell_time), p.pair.time);
+      const DiskCells::Crossing crossing =
+          p.cell_time == point.time ? cells_.nextCrossing(slot, point, p.pair.time)
+                                    : cells_.nextCrossing(slot, state_.flown(slot, p.cell_time), p.pair.time);
       p.edge = crossing.edge;
       p.cell_time = crossing.time;
     }
@@ -245,7 +246,7 @@ private:
   DiskCells& cells_;
   Queue& queue_;
   ContactExecution execution_;
-  ThreadBuffer* share_;
+  ThreadBuffer* buffer_;
   BaseInstant base_;
   std::uint64_t events_ = 0;
   std::uint64_t crossings_ = 0;

@@ -32,10 +32,10 @@ constexpr double LAST_STRIDE = 0.1;
 constexpr double LOOK_AHEAD = 0.05;
 
 /// Windows that fail are shortened to this share of the settings'.
-constexpr double LEAST_PACE = 0.125;
+constexpr double LEAST_WINDOW_SHARE = 0.125;
 
 /// Largest number of windows for the single queue after strips have failed.
-constexpr double MOST_CAUTION = 1024.0;
+constexpr double MOST_QUEUED_WINDOWS = 1024.0;
 
 /// The window of time whose events are prefetched together: about EVENTS_AHEAD of them, by the event rate of
 /// the window before. Most events of a window are known at its start. Results do not depend on it.
@@ -140,7 +140,7 @@ public:
     threads_ = threads;
   }
 
-  StripCounts stripCounts() const override { return strip_counts_; }
+  std::uint64_t eventsInStrips() const override { return events_in_strips_; }
 
 private:
   std::size_t mostStrips() const { return PairStrips::mostStrips(cells_, settings_); }
@@ -172,9 +172,8 @@ private:
       pool_ = std::make_unique<WorkerPool>(threads);
     const std::size_t workers = std::max<std::size_t>(threads, 1);
     const std::size_t strips = workers * ((disks - 1) / (workers * settings_.disks_per_strip) + 1);
-    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, mostStrips()), settings_, pool_.get(),
-                    strip_counts_);
-    strips_->setWindows(window_length_, pace_);
+    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, mostStrips()), settings_, pool_.get());
+    strips_->setWindows(window_length_, window_share_);
     return true;
   }
 
@@ -183,17 +182,19 @@ private:
   bool advanceStrips(double time, double& end)
   {
     const bool advanced = strips_->advance(reached_, time);
-    events_ += strips_->takeEvents();
+    const std::uint64_t events = strips_->takeEvents();
+    events_ += events;
+    events_in_strips_ += events;
     window_length_ = strips_->windowLength();
-    pace_ = strips_->pace();
+    window_share_ = strips_->windowShare();
     if (advanced)
     {
       reached_ = time;
       return true;
     }
-    pace_ = std::max(0.5 * pace_, LEAST_PACE);
-    end = std::min(time, strips_->failedBefore() + caution_ * window_length_);
-    caution_ = strips_->copies() > 1 ? 1.0 : std::min(2.0 * caution_, MOST_CAUTION);
+    window_share_ = std::max(0.5 * window_share_, LEAST_WINDOW_SHARE);
+    end = std::min(time, strips_->failedBefore() + queued_windows_ * window_length_);
+    queued_windows_ = strips_->copies() > 1 ? 1.0 : std::min(2.0 * queued_windows_, MOST_QUEUED_WINDOWS);
     return false;
   }
 
@@ -229,8 +230,8 @@ private:
   {
     const std::uint64_t events = events_of_queue_.takeEvents();
     if (events > 0)
-      window_length_ = (reached - reached_) * pace_ * settings_.events_per_column * cells_.grid().columns() /
-                       static_cast<double>(events);
+      window_length_ = (reached - reached_) * window_share_ * settings_.events_per_column *
+                       cells_.grid().columns() / static_cast<double>(events);
     events_ += events;
     cells_.countCrossings(events_of_queue_.takeCrossings());
     reached_ = reached;
@@ -298,11 +299,11 @@ private:
   StripSettings settings_;
   std::unique_ptr<WorkerPool> pool_;  ///< null if one thread is enough
   std::optional<PairStrips> strips_;  ///< while these have the events, not the queue
-  StripCounts strip_counts_;
-  double stride_ = 0.0;         ///< mean of the last [s]
-  double window_length_ = 0.0;  ///< of the strips so far [s]
-  double pace_ = 1.0;           ///< events in a window, as a share of the settings
-  double caution_ = 1.0;        ///< windows for the queue after strips have failed
+  std::uint64_t events_in_strips_ = 0;
+  double stride_ = 0.0;          ///< mean of the last [s]
+  double window_length_ = 0.0;   ///< of the strips so far [s]
+  double window_share_ = 1.0;    ///< events in a window, as a share of the settings
+  double queued_windows_ = 1.0;  ///< windows for the queue after strips have failed
 };
 
 }  // namespace

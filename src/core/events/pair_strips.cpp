@@ -13,7 +13,8 @@ namespace
 /// time.
 constexpr double EVENTS_PER_COPY = 16.0;
 
-/// The pace from copy to copy: a window that fails costs no more than the events since one.
+/// By this factor windows grow from copy to copy: a window that fails costs no more than the events since
+/// one.
 constexpr double FASTER = 1.2;
 
 /// Shortest window [time scales].
@@ -22,8 +23,8 @@ constexpr double SHORTEST_WINDOW = 1e-6;
 /// The number of further columns that an event may touch.
 constexpr std::int32_t REACH = 2;
 
-/// See copy(): of about the same size.
-constexpr std::size_t COPY_PARTS = 2;
+/// See copyHalf(): of about the same size.
+constexpr std::size_t COPY_HALVES = 2;
 
 constexpr double LONG_AGO = -std::numeric_limits<double>::infinity();
 }  // namespace
@@ -32,9 +33,9 @@ PairStrips::Region::Region(PairLayer& layer, std::vector<std::uint32_t>& places,
                            std::int32_t size)
     : first_column(first_column),
       columns(size),
-      share(layer.state.observers().buffer()),
+      buffer(layer.state.log().buffer()),
       queue(places),
-      events(layer, queue, ContactExecution(layer.state, &share), &share)
+      events(layer, queue, ContactExecution(layer.state, &buffer), &buffer)
 {
 }
 
@@ -44,16 +45,14 @@ std::size_t PairStrips::mostStrips(const DiskCells& cells, const StripSettings& 
   return cells.seesNextColumnOnly() ? static_cast<std::size_t>(std::max(most, 1)) : 1;
 }
 
-PairStrips::PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool,
-                       StripCounts& counts)
+PairStrips::PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool)
     : layer_(layer),
       settings_(settings),
       pool_(pool),
       ring_(layer.state.scene().boundary == Boundary::PERIODIC),
       home_(layer.predictions.size()),
       strip_places_(layer.predictions.size(), SlotQueue::NONE),
-      cut_places_(layer.predictions.size(), SlotQueue::NONE),
-      counts_(counts)
+      cut_places_(layer.predictions.size(), SlotQueue::NONE)
 {
   cutIntoStrips(count);
   const std::size_t cuts = ring_ ? count : count - 1;
@@ -102,10 +101,10 @@ void PairStrips::cutIntoStrips(std::size_t count)
 }
 
 /// Not so short, in a collapse, that time stands still.
-void PairStrips::setWindows(double length, double pace)
+void PairStrips::setWindows(double length, double share)
 {
   length_ = std::max(length, SHORTEST_WINDOW * layer_.state.timeScale());
-  pace_ = pace;
+  window_share_ = share;
 }
 
 double PairStrips::nextTime(std::uint32_t slot) const
@@ -120,7 +119,6 @@ bool PairStrips::advance(double now, double time)
   start_ = now;
   end_ = std::min(time, now + length_);
   const std::size_t workers = pool_ != nullptr ? std::min(pool_->workers(), strips_.size()) : 1;
-  meeting_.assign(workers, 0.0);
   SpinBarrier barrier(workers);
   if (workers == 1)
     work(0, 1, barrier, time);
@@ -131,8 +129,6 @@ bool PairStrips::advance(double now, double time)
           if (worker < workers)
             work(worker, workers, barrier, time);
         });
-  const TimeSpent spent(counts_.alone);
-  counts_.meeting = std::accumulate(meeting_.begin(), meeting_.end(), counts_.meeting);
   if (error_)
     std::rethrow_exception(error_);
   if (!failed_)
@@ -140,7 +136,7 @@ bool PairStrips::advance(double now, double time)
   else
     restore();
   // By the caller's thread.
-  layer_.state.observers().deliver();
+  layer_.state.log().deliver();
   return !failed_;
 }
 
@@ -151,26 +147,18 @@ void PairStrips::work(std::size_t worker, std::size_t workers, SpinBarrier& barr
     for (std::size_t k = worker * count / workers; k < (worker + 1) * count / workers; ++k)
       each(k);
   };
-  double meeting = 0.0;
-  double copying = 0.0;
-  const auto meet = [&](auto&& complete)
-  {
-    const TimeSpent spent(meeting);
-    barrier.wait(complete);
-  };
   while (!done_)
   {
     if (copy_is_due_)
     {
-      const TimeSpent spent(copying);
-      guarded([&] { share(COPY_PARTS, [&](std::size_t part) { copy(part); }); });
+      guarded([&] { share(COPY_HALVES, [&](std::size_t half) { copyHalf(half); }); });
       barrier.wait([&] { copy_is_due_ = false; });
     }
     guarded([&] { share(strips_.size(), [&](std::size_t s) { advance(s); }); });
-    meet([] {});
+    barrier.wait([] {});
     if (!failed_)
       guarded([&] { share(cutting_.size(), [&](std::size_t c) { advance(*cutting_[c]); }); });
-    meet(
+    barrier.wait(
         [&]
         {
           if (!failed_)
@@ -178,9 +166,6 @@ void PairStrips::work(std::size_t worker, std::size_t workers, SpinBarrier& barr
           done_ = done_ || failed_;
         });
   }
-  meeting_[worker] = meeting;
-  if (worker == 0)
-    counts_.alone += copying;
 }
 
 /// An exception must not keep a thread from the barrier.
@@ -216,7 +201,7 @@ bool PairStrips::execute(Region& region, std::uint32_t slot, double now, const C
 {
   if (!layer_.state.collapseWatch().countOrdinary(slot, now))
     return false;
-  region.share.beginEvent(slot);
+  region.buffer.beginEvent(slot);
   region.events.process(slot, now);
   if (!layer_.state.active(slot))
     return true;
@@ -312,37 +297,17 @@ void PairStrips::advance(Cut& cut)
       });
 }
 
-/// The events of the last window in these regions, which one thread each would have executed.
-template <typename Regions>
-std::uint64_t PairStrips::countEvents(const Regions& regions)
-{
-  std::uint64_t sum = 0;
-  std::uint64_t most = 0;
-  for (const auto& region : regions)
-  {
-    const std::uint64_t found =
-        region->events.events() - std::exchange(region->counted, region->events.events());
-    sum += found;
-    most = std::max(most, found);
-  }
-  counts_.critical_events += most;
-  return sum;
-}
-
 /// By one thread, between windows.
 void PairStrips::finishWindow(double time)
 {
-  const TimeSpent spent(counts_.alone);
   moveDisks();
-  const std::uint64_t events = countEvents(strips_) + countEvents(cutting_);
-  ++counts_.windows;
-  counts_.events += events;
-  events_to_commit_ += events;
-  const double wanted = pace_ * settings_.events_per_column * layer_.cells.grid().columns();
-  const auto found = static_cast<double>(events);
+  std::uint64_t all = 0;
+  forEachRegion([&](const Region& region) { all += region.events.events(); });
+  const auto found = static_cast<double>(all - std::exchange(events_to_commit_, all));
+  const double wanted = window_share_ * settings_.events_per_column * layer_.cells.grid().columns();
   // Not from a window that ends early.
   if (const double whole = (end_ - start_) / length_; whole > 0.5)
-    setWindows(length_ * std::clamp(whole * wanted / std::max(found, 1.0), 0.5, 2.0), pace_);
+    setWindows(length_ * std::clamp(whole * wanted / std::max(found, 1.0), 0.5, 2.0), window_share_);
   if (end_ >= time)
   {
     done_ = true;
@@ -369,10 +334,10 @@ void PairStrips::moveDisks()
     }
 }
 
-/// Each part by one thread.
-void PairStrips::copy(std::size_t part)
+/// Each half by one thread.
+void PairStrips::copyHalf(std::size_t half)
 {
-  if (part == 0)
+  if (half == 0)
   {
     ++copies_;
     return layer_.state.copyTo(copy_.state);
@@ -391,19 +356,15 @@ void PairStrips::restore()
 /// Hands over what the regions have counted and observed.
 void PairStrips::commit()
 {
-  const auto hand_over = [&](Region& region)
-  {
-    events_ += region.events.takeEvents();
-    region.counted = 0;
-    layer_.cells.countCrossings(region.events.takeCrossings());
-    layer_.state.merge(std::exchange(region.share, layer_.state.observers().buffer()));
-  };
-  for (const auto& strip : strips_)
-    hand_over(*strip);
-  for (const auto& cut : cutting_)
-    hand_over(*cut);
+  forEachRegion(
+      [&](Region& region)
+      {
+        events_ += region.events.takeEvents();
+        layer_.cells.countCrossings(region.events.takeCrossings());
+        layer_.state.merge(std::exchange(region.buffer, layer_.state.log().buffer()));
+      });
   events_to_commit_ = 0;
-  pace_ = std::min(FASTER * pace_, 1.0);
+  window_share_ = std::min(FASTER * window_share_, 1.0);
 }
 
 }  // namespace ratchet_sieve

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -50,20 +49,6 @@ private:
   alignas(64) std::atomic<std::size_t> round_{0};
 };
 
-/// Adds the time until it is destroyed to a sum [s].
-class TimeSpent
-{
-public:
-  explicit TimeSpent(double& sum) : sum_(sum), start_(std::chrono::steady_clock::now()) {}
-  ~TimeSpent() { sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-  TimeSpent(const TimeSpent&) = delete;
-  TimeSpent& operator=(const TimeSpent&) = delete;
-
-private:
-  double& sum_;
-  std::chrono::steady_clock::time_point start_;
-};
-
 /// Advances a layer strip by strip, on several threads, with the bits of a single queue.
 ///
 /// The columns of cells are cut into strips. Time is cut into windows of a few events per column. In a
@@ -82,9 +67,7 @@ public:
   /// Cuts where each strip has as many disks.
   /// @param layer outlives this; no grid is built while it exists
   /// @param count of strips, from 2 to mostStrips(); @param pool null: one thread
-  /// @param counts outlives this
-  PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool,
-             StripCounts& counts);
+  PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool);
 
   static std::size_t mostStrips(const DiskCells& cells, const StripSettings& settings);
 
@@ -99,10 +82,10 @@ public:
   /// The length of a window with as many events as wanted [s], and their number as a share of the settings',
   /// which grows to 1 as long as no window fails.
   double windowLength() const { return length_; }
-  double pace() const { return pace_; }
+  double windowShare() const { return window_share_; }
 
   /// May be called before advance().
-  void setWindows(double length, double pace);
+  void setWindows(double length, double share);
 
   /// The number of events since the last call that advance() has executed for good.
   std::uint64_t takeEvents() { return std::exchange(events_, 0); }
@@ -119,10 +102,9 @@ private:
 
     std::int32_t first_column;
     std::int32_t columns;
-    ThreadBuffer share;
+    ThreadBuffer buffer;
     SlotQueue queue;
     PairEvents<SlotQueue> events;
-    std::uint64_t counted = 0;  ///< events up to the last window
   };
 
   struct Strip : Region
@@ -159,10 +141,16 @@ private:
   std::int32_t placeIn(const Region& region, std::uint32_t slot) const;
   double nextTime(std::uint32_t slot) const;
   void finishWindow(double time);
-  template <typename Regions>
-  std::uint64_t countEvents(const Regions& regions);
+  template <typename Visit>
+  void forEachRegion(Visit&& visit)
+  {
+    for (const auto& strip : strips_)
+      visit(*strip);
+    for (const auto& cut : cutting_)
+      visit(*cut);
+  }
   void moveDisks();
-  void copy(std::size_t part);
+  void copyHalf(std::size_t half);
   void restore();
   void commit();
   void fail() { failed_.store(true, std::memory_order_relaxed); }
@@ -179,16 +167,14 @@ private:
   std::vector<std::unique_ptr<Cut>> cutting_;  ///< each at the right end of the strip of the same number
   std::vector<double> touched_;                ///< per column, with two more at each end: last time [s]
 
-  StripCounts& counts_;
   double length_ = 0.0;  ///< of a window [s]
-  double pace_ = 1.0;
+  double window_share_ = 1.0;
   double start_ = 0.0;  ///< of the present window [s]
   double end_ = 0.0;
   bool done_ = false;
   bool copy_is_due_ = false;
   std::atomic<bool> failed_{false};
   std::exception_ptr error_;
-  std::vector<double> meeting_;         ///< per thread, see StripCounts
   std::uint64_t events_to_commit_ = 0;  ///< up to the last window
   std::uint64_t events_ = 0;
   std::uint64_t copies_ = 0;

@@ -181,7 +181,7 @@ private:
     const auto way = base_overlap_.wayOut(at.x(), at.y(), state_.radius(slot));
     if (!way)
       return;
-    ++state_.observers().counts().pushed_out;
+    ++state_.sums().contacts.counts.pushed_out;
     state_.redirect(slot, {twoOf(base.outOf({0.0, *way}))}, start_);
     redirect(slot);
   }

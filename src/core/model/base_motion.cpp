@@ -48,12 +48,11 @@ void BaseMotion::Ramp::advance(double elapsed)
   start = end && *end <= elapsed * (1.0 + SAME_END) ? target : at(elapsed);
 }
 
-BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn, bool always_drive)
+BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn)
     : orbit_(base),
       scene_amplitude_(base.amplitude),
       scaled_(base.amplitude > 0.0),
       max_turn_(max_turn),
-      always_drive_(always_drive),
       turned_(base.drive_frame == DriveFrame::BASE)
 {
   for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
@@ -261,7 +260,7 @@ void BaseMotion::noteDerived()
   greatest_acceleration_ = world_acceleration_.norm();
   reach_ = turned_ ? displacement_bound_ : turnedBound(rotation_, displacement_bound_);
   const bool halted = frequency_.start == 0.0 && frequency_.rate == 0.0 && amplitude_.rate == 0.0;
-  oscillates_ = always_drive_ || (hasStroke() && !halted);
+  oscillates_ = hasStroke() && !halted;
   orbits_ = oscillates_ && !orbit_.empty();
   plain_ = !orbits_ && !turned_;
   standstill_.setZero();
@@ -270,11 +269,6 @@ void BaseMotion::noteDerived()
   standstill_.y() = amplitude_.start * sineCosineOfTurns(turns_).sine;
   if (!orbit_.empty())
     standstill_ += orbitScale(amplitude_.start) * orbit_.at(turns_).displacement;
-}
-
-DriveState driveStateAt(const BaseDefinition& base, double time)
-{
-  return BaseMotion(base).state(time);
 }
 
 }  // namespace ratchet_sieve

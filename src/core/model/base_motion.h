@@ -9,7 +9,7 @@
 #include "model/orbit.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 
 namespace ratchet_sieve
 {
@@ -23,9 +23,7 @@ class BaseMotion
 {
 public:
   /// @param max_turn largest change of theta within one segment [rad]
-  /// @param always_drive evaluates the drive even if it does not move the base; see Plan
-  explicit BaseMotion(const BaseDefinition& base, double max_turn = std::numeric_limits<double>::infinity(),
-                      bool always_drive = false);
+  explicit BaseMotion(const BaseDefinition& base, double max_turn = std::numeric_limits<double>::infinity());
 
   FrameOfBase at(double time) const
   {
@@ -166,7 +164,6 @@ private:
   double scene_amplitude_;  ///< A of the scene [m]
   bool scaled_;             ///< whether scene_amplitude_ can scale the orbit
   double max_turn_;
-  bool always_drive_;
   double segment_start_ = 0.0;
   double turns_ = 0.0;  ///< phase of the drive at segment_start_ over 2 pi, in [0, 1)
   Rotation rotation_{1.0, 0.0};

@@ -25,7 +25,7 @@ struct Kinematics
 /// A disk in free flight. World frame; times are local to the engine's present epoch. It is at P + V t - g
 /// t^2 / 2, whenever the flight began: P and V are its position and velocity at time 0, were it on this
 /// flight then. So two disks are a straight line apart, dP + dV t. One cache line with all that a search
-/// reads; the rest is in DiskProperties and Trajectory.
+/// reads; the rest is in DiskRecord.
 struct alignas(64) Disk
 {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< P; where it left once it has left [m]

@@ -216,6 +216,22 @@ RATCHET_SIEVE_INLINE Number rotationOver(Number spin, Number elapsed)
   return 0.5 * elapsed * spin * spin;
 }
 
+/// What translationOver() was more, had the disk been on the flight (vx, vy) in place of (to_vx, to_vy) until
+/// now.
+template <typename Number>
+RATCHET_SIEVE_INLINE Number translationChange(Number vx, Number vy, Number to_vx, Number to_vy, Number fall,
+                                              Number elapsed)
+{
+  return 0.5 * elapsed * ((vx - to_vx) * (vx + to_vx) + (vy - to_vy) * (vy + to_vy - fall));
+}
+
+/// The same of rotationOver().
+template <typename Number>
+RATCHET_SIEVE_INLINE Number rotationChange(Number spin, Number to_spin, Number elapsed)
+{
+  return 0.5 * elapsed * ((spin - to_spin) * (spin + to_spin));
+}
+
 /// The number of whole widths W by which a position s along a periodic base is outside of [0, W).
 /// @param per_width 1 / W [1/m]
 template <typename Number>

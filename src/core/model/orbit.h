@@ -9,6 +9,12 @@
 namespace ratchet_sieve
 {
 
+/// A phase over 2 pi: the fractional part only, because whole turns would cost precision.
+double turnsOf(double phase);
+
+/// The whole drive: A sin(phi) with its horizontal part, and the harmonics.
+std::vector<HarmonicDefinition> sinesOf(const BaseDefinition& base);
+
 /// The parts of the drive besides A sin(phi) upwards: the horizontal part and the harmonics, D(phi) = sum
 /// over k of (A_x,k sin(k phi + phi_x,k), A_k sin(k phi + phi_k)), where k = 1 is the horizontal part only.
 /// World frame. Empty for the paper's machine, which has only A sin(phi).

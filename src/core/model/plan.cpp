@@ -46,35 +46,9 @@ Plan planOf(const SceneDefinition& scene)
   plan.drive = hasStroke(scene.base) && scene.base.frequency > 0.0;
   plan.orbit = !Orbit(scene.base).empty() || scene.base.drive_frame == DriveFrame::BASE;
   plan.contact_times = scene.contact.contact_duration > 0.0;
-  plan.search_above_band = false;
   plan.simd = !plan.pairs && scene.boundary == Boundary::PERIODIC && !plan.contact_times && !plan.orbit &&
               scene.base.isSawtooth();
   return plan;
-}
-
-bool covers(const Plan& plan, const SceneDefinition& scene)
-{
-  const Plan needed = planOf(scene);
-  return plan.pairs == needed.pairs && plan.steps == needed.steps && plan.orbit == needed.orbit &&
-         (plan.spin || !needed.spin) && (plan.drive || !needed.drive) &&
-         (plan.contact_times || !needed.contact_times) && (needed.simd || !plan.simd);
-}
-
-std::string planText(const Plan& plan)
-{
-  std::string line = plan.pairs ? "pairs" : "no pairs (disks do not collide with each other)";
-  if (plan.steps)
-    line += ", by steps (contacts that begin and end within a step are missed)";
-  line += plan.spin ? ", spin" : ", no spin (no friction turns a disk)";
-  line += plan.drive ? ", drive" : ", no drive (the base stands still)";
-  if (plan.orbit)
-    line += " with a horizontal part or harmonics, or along the base's axes";
-  line += plan.contact_times ? ", contact times" : ", no contact times (contact_duration is 0)";
-  line += plan.search_above_band ? ", base search everywhere" : ", no base search above the base's reach";
-  line += plan.simd ? ", SIMD"
-                    : ", no SIMD (only for independent disks without contact times on a periodic sawtooth "
-                      "with a vertical sine drive)";
-  return line;
 }
 
 }  // namespace ratchet_sieve

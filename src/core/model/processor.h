@@ -35,11 +35,17 @@ inline Eigen::Vector2d vectorOf(Two x)
   return {x[0], x[1]};
 }
 
-inline Two twoOf(const Eigen::Vector2d& x)
+/// Of two side by side. @pre aligned as Two
+inline Two twoAt(const double* x)
 {
   Two two;
-  std::memcpy(&two, __builtin_assume_aligned(x.data(), alignof(Eigen::Vector2d)), sizeof two);
+  std::memcpy(&two, __builtin_assume_aligned(x, alignof(Two)), sizeof two);
   return two;
+}
+
+inline Two twoOf(const Eigen::Vector2d& x)
+{
+  return twoAt(x.data());
 }
 
 /// By one store, as wide as the later load: two stores of 8 bytes before a load of 16 bytes cause a
@@ -56,6 +62,16 @@ inline Two rootOrZero(Two x)
   return _mm_sqrt_pd(_mm_max_pd(x, Two{}));
 #else
   return Two{std::sqrt(x[0] > 0.0 ? x[0] : 0.0), std::sqrt(x[1] > 0.0 ? x[1] : 0.0)};
+#endif
+}
+
+/// The smaller of each of the elements. @pre no NaN
+inline Two smaller(Two x, Two y)
+{
+#if defined(__SSE2__)
+  return _mm_min_pd(x, y);
+#else
+  return Two{x[0] < y[0] ? x[0] : y[0], x[1] < y[1] ? x[1] : y[1]};
 #endif
 }
 
@@ -77,6 +93,15 @@ inline unsigned whichUpTo(Two x, double limit)
 #else
   return (x[0] <= limit ? 1U : 0U) | (x[1] <= limit ? 2U : 0U);
 #endif
+}
+
+/// The smallest of sixteen side by side. @pre aligned as Two, no NaN
+inline double smallest(const double* sixteen)
+{
+  const auto four = [&](int i) { return smaller(twoAt(sixteen + i), twoAt(sixteen + i + 2)); };
+  const auto eight = [&](int i) { return smaller(four(i), four(i + 4)); };
+  const Two least = smaller(eight(0), eight(8));
+  return least[0] < least[1] ? least[0] : least[1];
 }
 
 /// Bit 0 to bit 15: which of sixteen side by side are no greater than `limit`. @pre aligned as Two

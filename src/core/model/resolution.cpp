@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "model/orbit.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/layer.h"
 
 namespace ratchet_sieve
 {
@@ -20,9 +18,6 @@ constexpr double SCALES_PER_EPOCH = 8.0;
 /// In units of a double's resolution at the end of an epoch.
 constexpr double RESOLUTION_STEPS = 4.0;
 
-/// As a fraction of a disk's radius; the accuracy goal of the engine.
-constexpr double LARGEST_OVERLAP = 1e-9;
-
 /// The fraction of that overlap for the displacement of the base within the time resolution. The rest is for
 /// the rounding of its phase and of positions.
 constexpr double BASE_SHARE = 0.5;
@@ -30,21 +25,13 @@ constexpr double BASE_SHARE = 0.5;
 /// The same for the way that a disk falls within it at the end of an epoch.
 constexpr double FALL_SHARE = 0.05;
 
-/// Number of roundings in computing a gap, in units of the resolution of the largest position.
-constexpr double ROUNDINGS_PER_GAP = 4.0;
-
-double speedOf(const InitialDisk& disk)
-{
-  return std::sqrt(disk.vx * disk.vx + disk.vy * disk.vy);
-}
-
 }  // namespace
 
 double startSpeed(const SceneDefinition& scene)
 {
   double speed = std::max(scene.pour.speed, scene.contact.min_rebound_speed);
   for (const InitialDisk& disk : scene.initial)
-    speed = std::max(speed, speedOf(disk));
+    speed = std::max(speed, std::sqrt(disk.vx * disk.vx + disk.vy * disk.vy));
   return speed;
 }
 
@@ -69,7 +56,7 @@ double epochLength(double time_scale)
 
 double farthestPlace(double radius)
 {
-  return LARGEST_OVERLAP * radius / (ROUNDINGS_PER_GAP * std::numeric_limits<double>::epsilon());
+  return LARGEST_OVERLAP * radius / GAP_ROUNDING;
 }
 
 double longestEpoch(double speed, double radius)
@@ -87,46 +74,6 @@ double longestFall(double gravity, double radius)
 double timeResolution(double epoch_length)
 {
   return RESOLUTION_STEPS * std::numeric_limits<double>::epsilon() * epoch_length;
-}
-
-FinestDisk finestDisk(const SceneDefinition& scene)
-{
-  const double resolution = timeResolution(epochLength(timeScale(scene)));
-  FinestDisk finest;
-  const auto require = [&](double step, const char* what, double value, const char* unit)
-  {
-    const double radius = step / LARGEST_OVERLAP;
-    if (!(radius > finest.radius))
-      return;
-    std::ostringstream reason;
-    reason << what << ' ' << value << ' ' << unit;
-    finest = {radius, reason.str()};
-  };
-  const auto length = [&](double length, const char* what)
-  { require(ROUNDINGS_PER_GAP * std::numeric_limits<double>::epsilon() * length, what, length, "m"); };
-  const auto speed = [&](double speed, const char* what) { require(speed * resolution, what, speed, "m/s"); };
-  const auto after_fall = [&](double speed, double height)
-  { return std::sqrt(speed * speed + 2.0 * scene.gravity * std::max(0.0, height)); };
-
-  length(scene.base.width(), "the base's width is");
-  length(std::max(scene.base.highest(), scene.base.depth()),
-         scene.base.profile.empty() ? "base.tooth_height is" : "base.profile reaches");
-  if (scene.boundary == Boundary::WALLED)
-    length(wallHeight(scene), "base.wall_height is");
-  const DriveBounds drive = driveBounds(scene.base);
-  length(drive.displacement, Orbit(scene.base).empty() ? "base.amplitude is" : "the drive's displacement is");
-  speed(drive.speed, "the drive's speed is");
-  if (scene.initial.empty() || scene.feed.any())
-  {
-    length(scene.pour.drop_height, "pour.drop_height is");
-    speed(after_fall(scene.pour.speed, scene.pour.drop_height), "the poured disks come at");
-  }
-  for (const InitialDisk& disk : scene.initial)
-  {
-    length(std::max(std::abs(disk.x), std::abs(disk.y)), "a disk of initial is placed at");
-    speed(after_fall(speedOf(disk), disk.y), "a disk of initial comes at");
-  }
-  return finest;
 }
 
 }  // namespace ratchet_sieve

@@ -50,7 +50,7 @@ public:
       for (const Block* block = row; block != row + columns; ++block)
       {
         to = copy(*block, to);
-        if (block->next != NONE)
+        if (__builtin_expect(block->next != NONE, 0) != 0)
           to = copyOverflow(block->next, list, to, room);
       }
     return static_cast<std::size_t>(to - list.data());

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "search/cell_grid.h"
+#include "search/cell_nest.h"
 
 namespace ratchet_sieve
 {
@@ -31,27 +31,19 @@ constexpr std::uint64_t MANY_CROSSINGS = 2;
 /// The grid is rebuilt if that reduces the cost to this fraction; a smaller gain would not pay for the
 /// rebuilding.
 constexpr double WORTH_REBUILDING = 0.7;
-}  // namespace
 
-LayoutCosts::LayoutCosts(const std::vector<BasePoint>& points, double width, double events, int laps)
-    : points_(points), width_(width), events_(events), laps_(laps)
+/// In pair evaluations per second.
+double costOf(const CellLayout::Size& size, const CellLayout::Disks& of)
 {
-  for (const BasePoint& point : points_)
-    top_ += std::max(0.0, point.n());
-  top_ *= MEAN_HEIGHTS / static_cast<double>(std::max<std::size_t>(1, points_.size()));
-}
-
-double LayoutCosts::of(const CellLayout& layout) const
-{
-  const CellShape cells(width_, layout.height, layout.smallest_side, points_.size());
+  const CellShape cells(of.width, size.height, size.least_side, of.points.size());
   std::vector<double> disks(static_cast<std::size_t>(cells.rows));
   double crossings = 0.0;
-  for (const BasePoint& point : points_)
+  for (const BasePoint& point : of.points)
   {
     const double row = std::clamp(std::floor(point.n() / cells.side_n), 0.0, cells.rows - 1.0);
     disks[static_cast<std::size_t>(row)] += 1.0;
     crossings +=
-        std::abs(point.velocity.x()) / (cells.columns > 1 ? cells.side_s : width_ * (1.0 + 2.0 * laps_));
+        std::abs(point.velocity.x()) / (cells.columns > 1 ? cells.side_s : of.width * (1.0 + 2.0 * of.laps));
     if (row + 1.0 < cells.rows)
       crossings += std::abs(point.velocity.y()) / cells.side_n;
   }
@@ -60,35 +52,20 @@ double LayoutCosts::of(const CellLayout& layout) const
     together += in_row * in_row / cells.columns;
   const double rows = std::min<double>(3.0, cells.rows);
   const double columns = std::min<double>(3.0, cells.columns);
-  const double ring = laps_ > 0 && cells.columns == 1 ? EVALUATIONS_PER_RING : 1.0;
-  const double evaluations = ring * rows * columns * together / static_cast<double>(points_.size());
-  return events_ * evaluations + crossings * (EVALUATIONS_PER_EDGE + evaluations / 3.0);
+  const double ring = of.laps > 0 && cells.columns == 1 ? EVALUATIONS_PER_RING : 1.0;
+  const double evaluations = ring * rows * columns * together / static_cast<double>(of.points.size());
+  return of.events * evaluations + crossings * (EVALUATIONS_PER_EDGE + evaluations / 3.0);
 }
+}  // namespace
 
-CellLayout LayoutCosts::cheapest(double least_side) const
-{
-  CellLayout best{top_, least_side};
-  double least = of(best);
-  for (double side = 2.0 * least_side; side < 2.0 * std::max(width_, top_); side *= 2.0)
-  {
-    const CellLayout layout{top_, side};
-    const double cost = of(layout);
-    if (cost >= least)
-      continue;
-    least = cost;
-    best = layout;
-  }
-  return best;
-}
-
-std::optional<double> CellFit::epochEnded(std::uint64_t events, std::size_t disks)
+std::optional<double> CellLayout::epochEnded(std::uint64_t events, std::size_t disks)
 {
   ++epochs_;
   const std::uint64_t since = events - events_before_;
   if (disks == 0 || since < EVENTS_BETWEEN_EVALUATIONS * disks)
     return std::nullopt;
   const std::uint64_t others = since - crossings_;
-  const bool evaluate = layout_ || crossings_ > MANY_CROSSINGS * others;
+  const bool evaluate = chosen_ || crossings_ > MANY_CROSSINGS * others;
   const double others_per_epoch = static_cast<double>(others) / epochs_;
   events_before_ = events;
   crossings_ = 0;
@@ -96,15 +73,25 @@ std::optional<double> CellFit::epochEnded(std::uint64_t events, std::size_t disk
   return evaluate ? std::optional<double>(others_per_epoch) : std::nullopt;
 }
 
-bool CellFit::choose(const LayoutCosts& costs, const CellLayout& for_layer, double least_side)
+bool CellLayout::choose(const Disks& disks, const Size& of_layer)
 {
-  const double now = costs.of(layout_.value_or(for_layer));
-  const double of_layer = costs.of(for_layer);
-  const CellLayout other = costs.cheapest(least_side);
-  const double of_other = costs.of(other);
-  if (std::min(of_layer, of_other) > WORTH_REBUILDING * now)
+  // Nearly all disks are below this height.
+  double top = 0.0;
+  for (const BasePoint& point : disks.points)
+    top += std::max(0.0, point.n());
+  top *= MEAN_HEIGHTS / static_cast<double>(std::max<std::size_t>(1, disks.points.size()));
+  Size best{top, of_layer.least_side};
+  double least = costOf(best, disks);
+  for (double side = 2.0 * of_layer.least_side; side < 2.0 * std::max(disks.width, top); side *= 2.0)
+    if (const double cost = costOf({top, side}, disks); cost < least)
+    {
+      least = cost;
+      best.least_side = side;
+    }
+  const double cost_of_layer = costOf(of_layer, disks);
+  if (std::min(cost_of_layer, least) > WORTH_REBUILDING * costOf(chosen_.value_or(of_layer), disks))
     return false;
-  layout_ = of_layer <= of_other ? std::nullopt : std::optional<CellLayout>(other);
+  chosen_ = cost_of_layer <= least ? std::nullopt : std::optional<Size>(best);
   return true;
 }
 

@@ -83,7 +83,7 @@ std::optional<double> ContactSearch::refine(const Disk& disk, const SureContact&
 bool ContactSearch::staysAbove(const Disk& disk, const Kinematics& from, double until,
                                BaseInstant& base) const
 {
-  if (search_above_band_ || shape_.boundary() != Boundary::PERIODIC)
+  if (shape_.boundary() != Boundary::PERIODIC)
     return false;
   if (motion_.turning())
     return staysAboveTurning(disk, from, until, base.at(from.time).rotation);
@@ -123,7 +123,7 @@ bool ContactSearch::staysAboveTurning(const Disk& disk, const Kinematics& from, 
 /// Closed form, valid while the base does not turn.
 double ContactSearch::nearTime(double radius, const Kinematics& from) const
 {
-  if (search_above_band_ || motion_.turning())
+  if (motion_.turning())
     return from.time;
   FrameOfBase mount;
   mount.rotation = motion_.rotation();

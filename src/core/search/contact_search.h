@@ -73,14 +73,8 @@ struct BaseEvent
 class ContactSearch
 {
 public:
-  /// @param search_above_band steps even above the height that the base reaches; see Plan
-  ContactSearch(const BaseShape& shape, const BaseMotion& motion, double gravity, double time_resolution,
-                bool search_above_band = false)
-      : shape_(shape),
-        motion_(motion),
-        gravity_(gravity),
-        time_resolution_(time_resolution),
-        search_above_band_(search_above_band)
+  ContactSearch(const BaseShape& shape, const BaseMotion& motion, double gravity, double time_resolution)
+      : shape_(shape), motion_(motion), gravity_(gravity), time_resolution_(time_resolution)
   {
   }
 
@@ -99,7 +93,6 @@ public:
   }
 
   /// The position and velocity of the disk relative to the base at `time`.
-  // Inlined: a call costs 1 % of a run.
   [[gnu::always_inline]] BasePoint seenFromBase(const Disk& disk, const FrameOfBase& base, double time) const
   {
     return base.see(kinematicsAt(disk, time, gravity_));
@@ -140,7 +133,6 @@ private:
   const BaseMotion& motion_;
   double gravity_;
   double time_resolution_;
-  bool search_above_band_;
 };
 
 }  // namespace ratchet_sieve

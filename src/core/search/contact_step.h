@@ -126,8 +126,6 @@ private:
   /// A feature in contact where `gap` is 0 while `window` holds (window <= 0). Each of the
   /// two alone keeps the disk free, so the longer guarantee counts.
   /// @param approaching, parting bound the gap's acceleration towards the feature and away from it
-  // Called from several points: the compiler would otherwise not inline it for the teeth, which costs 1 % of
-  // a run.
   [[gnu::always_inline]] void test(const BaseFeature& feature, const Gap& gap, double approaching,
                                    double parting, const Gap& window)
   {

@@ -167,9 +167,10 @@ struct PairSearch::Lanes
       const Two dvy{a.velocity[1], b.velocity[1]};
       const Two distance{a.distance, b.distance};
       const Two closing = dx * dvx + dy * dvy;
-      const Two excess = dx * dx + dy * dy - distance * distance;
+      const Two squared_distance = distance * distance;
+      const Two excess = dx * dx + dy * dy - squared_distance;
       const Two passing = dx * dvy - dy * dvx;
-      const Two discriminant = (dvx * dvx + dvy * dvy) * distance * distance - passing * passing;
+      const Two discriminant = (dvx * dvx + dvy * dvy) * squared_distance - passing * passing;
       std::memcpy(&closings[k], &closing, sizeof closing);
       std::memcpy(&excesses[k], &excess, sizeof excess);
       std::memcpy(&discriminants[k], &discriminant, sizeof discriminant);
@@ -211,7 +212,7 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
       lane = lanes.takeTouching();
     const Two a = from_ + lanes.timesToContact(next[0], next[1]);
     const Two b = from_ + lanes.timesToContact(next[2], next[3]);
-    const Two least = a < b ? a : b;
+    const Two least = smaller(a, b);
     const double earliest = std::min(least[0], least[1]);
     if (earliest >= until_)
       continue;

@@ -21,13 +21,14 @@ inline std::optional<double> timeToContact(const Eigen::Vector2d& position, cons
   const double closing = position.dot(velocity);
   if (closing >= 0.0)
     return std::nullopt;
-  const double excess = position.squaredNorm() - distance * distance;
+  const double squared_distance = distance * distance;
+  const double excess = position.squaredNorm() - squared_distance;
   if (excess <= 0.0)
     return 0.0;
   // The distance at which they would pass is computed from the cross product. A difference of squares would
   // lose it to rounding if the disks are far apart.
   const double passing = position.x() * velocity.y() - position.y() * velocity.x();
-  const double discriminant = velocity.squaredNorm() * distance * distance - passing * passing;
+  const double discriminant = velocity.squaredNorm() * squared_distance - passing * passing;
   if (discriminant < 0.0)
     return std::nullopt;
   return excess / (std::sqrt(discriminant) - closing);
@@ -184,8 +185,8 @@ private:
 
   struct Lanes;
 
-  PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
-                           const Image& image) const;
+  [[gnu::always_inline]] PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
+                                                  const Image& image) const;
 
   std::optional<double> contactAcrossTurningSeam(const Disk& other, int shift) const;
 

@@ -1,34 +1,3 @@
-#include <cstddef>
-#include <cstdint>
-
-#if defined(__x86_64__)
-#include <immintrin.h>
-
-// Applies to the code below, including the physics, but not to the headers above.
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx2")
-#endif
-
-#include "model/motion.h"
-#include "simd/simd_batch.h"
-
-namespace ratchet_sieve
-{
-namespace
-{
 #define LANES 4
+#define KERNEL KERNEL_OF_FOUR_LANES
 #include "simd/batch_kernel.inc"
-}  // namespace
-
-const BatchKernel KERNEL_OF_FOUR_LANES{LANES, collide, search};
-}  // namespace ratchet_sieve
-
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
-#endif

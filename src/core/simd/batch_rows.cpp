@@ -113,23 +113,21 @@ void loadRow(const SystemState& system, std::uint32_t slot, const BaseEvent& nex
   batch.lost_x[row] = disk.lost[0];
   batch.lost_y[row] = disk.lost[1];
   const SpeciesDefinition& species = system.scene().species[disk.species];
-  const DiskProperties& properties = system.properties(slot);
-  const ContactMasses masses = contactMasses({properties.mass, leverOf(species)});
+  const DiskRecord& record = system.record(slot);
+  const ContactMasses masses = contactMasses({record.properties.mass, leverOf(species)});
   batch.radius[row] = disk.radius;
   batch.restitution[row] = species.contact.restitution;
   batch.friction[row] = species.contact.friction;
   batch.normal_mass[row] = masses.normal;
   batch.sticking_mass[row] = (1.0 + species.contact.tangential_restitution) * masses.tangential;
-  batch.per_mass[row] = 1.0 / properties.mass;
-  batch.radius_by_inertia[row] = properties.spin_response;
-  const Trajectory& sums = system.observers().trajectories()[slot];
-  const Eigen::Vector2d& impulse = system.observers().impulses().of(slot);
-  batch.offset[row] = sums.offset;
-  batch.translation[row] = sums.translation;
-  batch.rotation[row] = sums.rotation;
-  batch.angle[row] = sums.angle;
-  batch.impulse_x[row] = impulse.x();
-  batch.impulse_y[row] = impulse.y();
+  batch.per_mass[row] = 1.0 / record.properties.mass;
+  batch.radius_by_inertia[row] = record.properties.spin_response;
+  batch.offset[row] = record.offset;
+  batch.translation[row] = record.translation;
+  batch.rotation[row] = record.rotation;
+  batch.angle[row] = record.angle;
+  batch.impulse_x[row] = record.base_impulse.x();
+  batch.impulse_y[row] = record.base_impulse.y();
   const BatchContact contact = batchContact(next.feature);
   batch.event_time[row] = next.time;
   batch.feature[row] = contact.feature;
@@ -150,12 +148,12 @@ void storeRow(const SimdBatch& batch, std::size_t row, SystemState& system, std:
               BaseEvent& next)
 {
   readState(batch, row, system.changeable(slot));
-  Trajectory& sums = system.observers().trajectories()[slot];
-  sums.offset = batch.offset[row];
-  sums.translation = batch.translation[row];
-  sums.rotation = batch.rotation[row];
-  sums.angle = batch.angle[row];
-  system.observers().impulses().set(slot, {batch.impulse_x[row], batch.impulse_y[row]});
+  DiskRecord& record = system.record(slot);
+  record.offset = batch.offset[row];
+  record.translation = batch.translation[row];
+  record.rotation = batch.rotation[row];
+  record.angle = batch.angle[row];
+  record.base_impulse = {batch.impulse_x[row], batch.impulse_y[row]};
   next = rowEvent(batch, row);
 }
 

@@ -81,7 +81,7 @@ public:
                PassBreak& pass_break, NextDisk&& next_disk)
   {
     CollapseWatch& watch = system.collapseWatch();
-    share_ = system.observers().buffer();
+    buffer_ = system.log().buffer();
     std::uint32_t slot = 0;
     std::size_t rows = 0;
     std::uint32_t events = 0;  // of each row that is loaded all the while
@@ -123,12 +123,12 @@ public:
     }
   }
 
-  /// The results since the last call; `share` takes what this thread has observed.
-  Report takeReport(ThreadBuffer& share)
+  /// The results since the last call; `buffer` takes what this thread has observed.
+  Report takeReport(ThreadBuffer& buffer)
   {
-    if (share_)
-      share.merge(std::move(*share_));
-    share_.reset();
+    if (buffer_)
+      buffer.merge(std::move(*buffer_));
+    buffer_.reset();
     return std::exchange(report_, Report());
   }
 
@@ -173,16 +173,16 @@ private:
   /// outcomes to the observers, and finds the event after it.
   void executeEvents(const BatchKernel& kernel, const BatchScene& scene, std::size_t rows)
   {
-    for (std::size_t row = 0; row < rows && share_->wantsFlights(); ++row)
+    for (std::size_t row = 0; row < rows && buffer_->wantsFlights(); ++row)
     {
       Disk disk;
       readState(batch_, row, disk);
       disk.species = species_[row];
-      share_->flew({slots_[row], disk, batch_.event_time[row]});
+      buffer_->flew({slots_[row], disk, batch_.event_time[row]});
     }
     kernel.collide(scene, batch_, rows);
     report_.events += rows;
-    share_->collided(
+    buffer_->collided(
         rows, [&](std::size_t row) { return outcomeOf(scene, batch_, row, slots_[row], species_[row]); });
     kernel.search(scene, batch_, rows);
   }
@@ -191,7 +191,7 @@ private:
   std::uint32_t slots_[SimdBatch::ROWS];
   std::uint32_t species_[SimdBatch::ROWS];
   std::uint32_t loaded_[SimdBatch::ROWS];  ///< the count of events then
-  std::optional<ThreadBuffer> share_;
+  std::optional<ThreadBuffer> buffer_;
   Report report_;
 };
 

@@ -83,7 +83,7 @@ struct SimdBatch
   alignas(64) Column per_mass;           ///< [1/kg]
   alignas(64) Column radius_by_inertia;  ///< r / I
 
-  // Running sums: see Trajectory and BaseImpulses.
+  // Running sums: see DiskRecord.
   alignas(64) Column translation, rotation, angle, impulse_x, impulse_y, offset;
 
   // The next event.

@@ -49,23 +49,22 @@ Averages::Averages(const SystemState& system) : system_(system), layer_(system.p
 
 BlockSum Averages::path(std::uint32_t slot, double time) const
 {
-  const Trajectory& trajectory = system_.observers().trajectories()[slot];
+  const DiskRecord& record = system_.record(slot);
   const Disk& disk = system_.disk(slot);
-  const bool active = system_.active(slot);
-  const double x = active ? positionAt(disk, time, system_.scene().gravity).x() : disk.position.x();
-  const double until = active ? system_.epoch().start + time : trajectory.left_when;
-  return {x + trajectory.offset - trajectory.counted_x, until - trajectory.counted_from};
+  const double x = record.active ? positionAt(disk, time, system_.scene().gravity).x() : disk.position.x();
+  const double until = record.active ? system_.epoch().start + time : record.left_when;
+  return {x + record.offset - record.counted_x, until - record.counted_from};
 }
 
 void Averages::add(std::uint32_t slot, double time, std::vector<Sums>& sums) const
 {
   const Disk& disk = system_.disk(slot);
   const SpeciesDefinition& species = system_.scene().species[disk.species];
-  const TrajectorySums& trajectories = system_.observers().trajectories();
-  const Trajectory trajectory =
-      system_.active(slot) ? trajectories.until(slot, disk, time) : trajectories[slot];
+  DiskRecord record = system_.record(slot);
+  if (record.active)
+    record.fly(disk, time, system_.scene().gravity);
   const BlockSum path = this->path(slot, time);
-  const double mass = system_.properties(slot).mass;
+  const double mass = record.properties.mass;
   const double inertia = species.inertiaOf(mass, disk.radius) / species.inertia();
   for (const std::size_t row :
        {std::size_t{disk.species}, system_.scene().species.size() + system_.sizeClassOf(disk)})
@@ -79,8 +78,8 @@ void Averages::add(std::uint32_t slot, double time, std::vector<Sums>& sums) con
     sum.displacement_squared += path.sum * path.sum;
     sum.displacement_time += path.sum * path.weight;
     sum.time_squared += path.weight * path.weight;
-    sum.translation += mass / species.mass * trajectory.translation;
-    sum.rotation += inertia * trajectory.rotation;
+    sum.translation += mass / species.mass * record.translation;
+    sum.rotation += inertia * record.rotation;
   }
 }
 
@@ -97,16 +96,16 @@ std::vector<Sum> Averages::sums(const Series<Sum>& series, double time) const
 {
   std::vector<Sum> sums = series.gone;
   for (std::uint32_t slot = 0; slot < system_.disks().size(); ++slot)
-    if (system_.observers().trajectories()[slot].counts())
+    if (system_.record(slot).counts())
       add(slot, time, sums);
   return sums;
 }
 
-void Averages::compact(const Compaction& compaction)
+void Averages::forget(const std::vector<std::uint32_t>& slots)
 {
-  for (const std::uint32_t slot : compaction.gone)
+  for (const std::uint32_t slot : slots)
   {
-    if (!system_.observers().trajectories()[slot].counts())
+    if (!system_.record(slot).counts())
       continue;
     add(slot, 0.0, means_.gone);
     if (!groups_.blocks.empty())
@@ -114,7 +113,7 @@ void Averages::compact(const Compaction& compaction)
   }
 }
 
-void Averages::restart(double /*time*/)
+void Averages::restart()
 {
   means_.begin(means_.blocks.size());
   groups_.begin(groups_.blocks.size());
@@ -168,7 +167,7 @@ std::vector<SpeciesMeans> Averages::means(double time) const
     means.push_back(meansOf(s, all));
     if (all[s].path.weight > 0.0)
       means[s].collision_rate =
-          static_cast<double>(system_.observers().speciesContacts().of(s)) / all[s].path.weight;
+          static_cast<double>(system_.sums().contacts.of_species[s]) / all[s].path.weight;
   }
   return means;
 }

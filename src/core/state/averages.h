@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/block_averages.h"
-#include "ratchet_sieve/core/observation.h"
-#include "state/observer.h"
+#include "ratchet_sieve/core/results.h"
 
 namespace ratchet_sieve
 {
@@ -14,14 +13,19 @@ class SystemState;
 
 /// Means over disks and time, from the disks' trajectories: of each species, then of each size class; and the
 /// series behind their errors. Times are local to the epoch.
-class Averages final : public Observer
+class Averages
 {
 public:
   explicit Averages(const SystemState& system);
 
-  void compact(const Compaction& compaction) override;
-  void restart(double time) override;
-  void endBlock(double time) override;
+  /// These disks, which have left, are about to be forgotten.
+  void forget(const std::vector<std::uint32_t>& slots);
+
+  /// The end of `settle`: the means begin anew.
+  void restart();
+
+  /// A block of the series ends.
+  void endBlock(double time);
 
   std::vector<SpeciesMeans> means(double time) const;
 
@@ -36,7 +40,7 @@ public:
   MeanSeries series(double block_time) const;
 
   /// @throws StateError if the state lacks a series that the scene requests; other series are discarded
-  void archive(StateArchive& state) override;
+  void archive(StateArchive& state);
 
 private:
   /// Sums over the trajectories of one species or size class.

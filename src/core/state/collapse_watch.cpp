@@ -5,8 +5,6 @@
 #include <sstream>
 #include <tuple>
 
-#include "ratchet_sieve/core/count_text.h"
-
 namespace ratchet_sieve
 {
 namespace
@@ -14,11 +12,16 @@ namespace
 /// First minimum rebound speed of a lossless disk, as a fraction of the speed of a fall from a tooth's
 /// height. Hops at this speed occur some hundred times per time scale.
 constexpr double FIRST_FLOOR = 1e-3;
+
+/// After this many consecutive collapses the minimum rebound speed is one at which dense heaps did not
+/// collapse (docs/stability.md).
+constexpr std::uint32_t HELPFUL_LEVEL = 6;
 }  // namespace
 
 CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale,
-                             const DiskIds& ids)
+                             std::vector<DiskRecord>& disks, const DiskIds& ids)
     : contact_(contact),
+      disks_(disks),
       ids_(ids),
       limit_(static_cast<std::uint32_t>(contact.collapse_events)),
       time_scale_(time_scale),
@@ -26,15 +29,14 @@ CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale
 {
 }
 
-double CollapseWatch::floorSpeed(std::uint32_t slot) const
+double CollapseWatch::floorOf(std::uint32_t level) const
 {
-  const double floor = std::ldexp(FIRST_FLOOR * speed_scale_, static_cast<int>(disks_[slot].level) - 1);
-  return std::max(floor, contact_.min_rebound_speed);
+  return std::ldexp(FIRST_FLOOR * speed_scale_, static_cast<int>(level) - 1);
 }
 
 void CollapseWatch::collapse(std::uint32_t slot, double time)
 {
-  Window& window = disks_[slot];
+  CollapseWindow& window = disks_[slot].window;
   window = {time + time_scale_, 0, window.level + 1};
   // Independent disks are advanced one by one, in any order. The first collapse is the earliest; at equal
   // times, the one with the smallest id.
@@ -59,14 +61,16 @@ std::string CollapseWatch::text() const
   text << "inelastic collapse: disk " << (first_stuck_ ? first_stuck_->disk : counts_.first_disk)
        << " had more than " << limit_ << " events within " << time_scale_ << " s at "
        << (first_stuck_ ? first_stuck_->time : counts_.first_time) << " s";
+  text.precision(3);
   if (first_stuck_)
-    text << ", although its contacts were lossless";
-  else if (stops_)
-    text << "; a larger contact.min_rebound_speed may avoid it; contact.on_collapse: rebound lets "
-            "the run continue";
+    text << ", although its slow contacts were lossless: it has no room";
+  else if (!stops_)
+    text << "; its slow contacts were lossless for a while; collapses so far: " << counts_.count;
+  else if (contact_.min_rebound_speed < floorOf(HELPFUL_LEVEL))
+    text << "; a contact.min_rebound_speed of " << floorOf(HELPFUL_LEVEL)
+         << " m/s or more may avoid it, or contact.on_collapse: rebound, if the disk has room";
   else
-    text << ", the first of " << countText(counts_.count, "time")
-         << "; its contacts were lossless for a while";
+    text << "; contact.on_collapse: rebound may free it, if it has room";
   return text.str();
 }
 

@@ -15,8 +15,12 @@ double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 }
 }  // namespace
 
-ContactExecution::ContactExecution(SystemState& system, ThreadBuffer* share)
-    : system_(system), share_(share), law_(system.scene().contact), spin_(system.plan().spin)
+ContactExecution::ContactExecution(SystemState& system, ThreadBuffer* buffer)
+    : system_(system),
+      buffer_(buffer),
+      law_(system.scene().contact),
+      spin_(system.plan().spin),
+      contact_times_(system.plan().contact_times)
 {
   const std::vector<SpeciesDefinition>& species = system.scene().species;
   for (std::size_t i = 0; i < species.size(); ++i)
@@ -52,15 +56,16 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
     // d theta/dt.
     const double tangential_velocity =
         across(approach.normal, point.velocity) - disk.radius * (disk.spin - frame.inclination_rate);
-    outcome.lossless = lossless(slot, time);
+    outcome.lossless = lossless(slot, -outcome.normal_velocity, time);
     ContactCoefficients coefficients = outcome.lossless ? LOSSLESS : species.contact;
     if (outcome.kind == CollisionKind::WALL)
       coefficients.friction = 0.0;
     respond(outcome, coefficients, contactMasses(inertia(slot)), tangential_velocity,
             reboundFloor(slot, outcome.lossless));
     push(slot, outcome, 1.0);
+    system_.record(slot).base_impulse += impulseOf(outcome);
   }
-  system_.observers().collided(outcome, share_);
+  system_.collided(outcome, buffer_);
   return outcome;
 }
 
@@ -92,7 +97,8 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
       outcome.normal_velocity = -std::numeric_limits<double>::epsilon() * velocity.norm();
     const double tangential_velocity =
         across(outcome.normal, velocity) - (a.radius * a.spin + b.radius * b.spin);
-    outcome.lossless = lossless(i, time) || lossless(j, time);
+    const double speed = -outcome.normal_velocity;
+    outcome.lossless = lossless(i, speed, time) || lossless(j, speed, time);
     const std::size_t pair = a.species * system_.scene().species.size() + b.species;
     respond(outcome, outcome.lossless ? LOSSLESS : pair_coefficients_[pair],
             contactMasses(inertia(i), inertia(j)), tangential_velocity,
@@ -100,7 +106,7 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
     push(i, outcome, 1.0);
     push(j, outcome, -1.0);
   }
-  system_.observers().collided(outcome, share_);
+  system_.collided(outcome, buffer_);
   return outcome;
 }
 
@@ -123,7 +129,9 @@ void ContactExecution::push(std::uint32_t slot, const ContactOutcome& contact, d
   const DiskProperties& properties = system_.properties(slot);
   const Eigen::Vector2d velocity = sign / properties.mass * impulseOf(contact);
   system_.redirect(slot, {Two{}, twoOf(velocity), -properties.spin_response * contact.tangential_impulse},
-                   contact.time, share_);
+                   contact.time, buffer_);
+  if (contact_times_)
+    system_.record(slot).last_contact = contact.time;
 }
 
 /// v_min does not apply to lossless contacts, because it would add energy. For a disk that is lossless

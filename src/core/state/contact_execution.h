@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "model/collision_law.h"
-#include "state/observer.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -16,8 +15,9 @@ class ContactExecution
 {
 public:
   /// @param system outlives this
-  /// @param share of the thread, if several advance disks at the same time: see Observers; outlives this
-  explicit ContactExecution(SystemState& system, ThreadBuffer* share = nullptr);
+  /// @param buffer of the thread, if several advance disks at the same time: see SystemState::collided();
+  /// outlives this
+  explicit ContactExecution(SystemState& system, ThreadBuffer* buffer = nullptr);
 
   /// Executes a disk's event with the base: a contact, or the passage of an end.
   /// @return whether the disk's flight has changed
@@ -25,7 +25,7 @@ public:
   {
     if (!feature.isEnd())
       return collideWithBase(slot, feature, time, base).closed;
-    system_.passEnd(slot, feature.kind() == BaseFeatureKind::RIGHT_END, time, share_);
+    system_.passEnd(slot, feature.kind() == BaseFeatureKind::RIGHT_END, time, buffer_);
     return true;
   }
 
@@ -43,10 +43,12 @@ private:
   {
     return {system_.properties(slot).mass, levers_[system_.disk(slot).species]};
   }
-  bool lossless(std::uint32_t slot, double time) const
+  /// @param speed of approach [m/s]
+  bool lossless(std::uint32_t slot, double speed, double time) const
   {
-    return system_.collapseWatch().lossless(slot) ||
-           system_.observers().contactTimes().within(system_.scene().contact.contact_duration, slot, time);
+    return (system_.collapseWatch().lossless(slot) && speed < system_.collapseWatch().slow(slot)) ||
+           (contact_times_ &&
+            time - system_.record(slot).last_contact < system_.scene().contact.contact_duration);
   }
   double reboundFloor(std::uint32_t slot, bool no_loss) const;
   void respond(ContactOutcome& outcome, const ContactCoefficients& coefficients, const ContactMasses& masses,
@@ -54,9 +56,10 @@ private:
   void push(std::uint32_t slot, const ContactOutcome& contact, double sign);
 
   SystemState& system_;
-  ThreadBuffer* share_;
+  ThreadBuffer* buffer_;
   CollisionLaw law_;
   bool spin_;
+  bool contact_times_;
 
   std::vector<ContactCoefficients> pair_coefficients_;  ///< per (species, species)
   std::vector<double> levers_;                          ///< per species; see Inertia

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "state/system_state.h"
 
@@ -37,7 +36,7 @@ EnergyWatch::EnergyWatch(const SystemState& system)
 {
 }
 
-void EnergyWatch::endEpoch(double time)
+void EnergyWatch::check(double time)
 {
   // By the drive in any direction, and by the turning of its raised end.
   const double base_speed =
@@ -65,21 +64,9 @@ void EnergyWatch::endEpoch(double time)
       continue;
     largest_ = scales;
     if (scales > ALARM && !first_)
-      first_ = First{system_.epoch().start + time, system_.properties(slot).mass * energy, height, scales,
-                     system_.id(slot)};
+      first_ = LargeEnergy{system_.epoch().start + time, system_.properties(slot).mass * energy, height,
+                           scales, system_.id(slot)};
   }
-}
-
-std::string EnergyWatch::text() const
-{
-  if (!first_)
-    return "";
-  std::ostringstream out;
-  out << "implausibly large energy: at " << first_->time << " s disk " << first_->disk << " had "
-      << first_->energy << " J at a height of " << first_->height << " m, " << first_->scales
-      << " times its energy after the highest fall and an elastic bounce off the base; largest so far: "
-      << largest_ << " times";
-  return out.str();
 }
 
 }  // namespace ratchet_sieve

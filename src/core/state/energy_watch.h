@@ -1,10 +1,8 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
 
-#include "state/observer.h"
+#include "ratchet_sieve/core/results.h"
 
 namespace ratchet_sieve
 {
@@ -18,7 +16,7 @@ class SystemState;
 /// The scale is the energy of a disk that falls from the highest position of the scene and leaves the base
 /// after one elastic bounce against its fastest motion: (sqrt(2 g H + v^2) + 2 V)^2 / 2 per mass. Disks that
 /// lose energy in collisions stay within a few scales.
-class EnergyWatch final : public Observer
+class EnergyWatch
 {
 public:
   /// Energies above this multiple of the scale are reported: 32 times the speed after one elastic bounce.
@@ -26,37 +24,25 @@ public:
 
   explicit EnergyWatch(const SystemState& system);
 
-  /// Checks every disk.
-  void endEpoch(double time) override;
+  /// Checks every disk. @param time local to the epoch
+  void check(double time);
 
   /// The largest energy of a disk so far, in scales.
   double largest() const { return largest_; }
 
-  /// One line with the figures; empty while all energies are below the limit.
-  std::string text() const;
+  /// The first disk above the limit.
+  const std::optional<LargeEnergy>& first() const { return first_; }
 
-  void archive(StateArchive& state) override { state(fastest_base_, largest_, first_); }
+  void archive(StateArchive& state) { state(fastest_base_, largest_, first_); }
 
 private:
-  /// The first disk above the limit.
-  struct First
-  {
-    double time;    ///< of the run [s]
-    double energy;  ///< [J]
-    double height;  ///< in the world [m]
-    double scales;
-    std::uint32_t disk;
-
-    void archive(StateArchive& state) { state(time, energy, height, scales, disk); }
-  };
-
   const SystemState& system_;
   double highest_;             ///< H [m]
   double start_speed_;         ///< v [m/s]
   double gravity_;             ///< [m/s^2]
   double fastest_base_ = 0.0;  ///< V, the largest speed of the base so far [m/s]
   double largest_ = 0.0;
-  std::optional<First> first_;
+  std::optional<LargeEnergy> first_;
 };
 
 }  // namespace ratchet_sieve

@@ -27,7 +27,7 @@ void FlowBlocks::restart(double /*time*/)
   for (std::size_t s = 0; s < rows_.size(); ++s)
   {
     rows_[s] = Row();
-    rows_[s].before = system_.observers().bins()[s];
+    rows_[s].before = system_.log().bins()[s];
   }
 }
 
@@ -41,7 +41,7 @@ void FlowBlocks::endBlock(double /*time*/)
   for (std::size_t s = 0; s < rows_.size(); ++s)
   {
     Row& row = rows_[s];
-    const SpeciesBins& now = system_.observers().bins()[s];
+    const SpeciesBins& now = system_.log().bins()[s];
     add(row.left, now.left - row.before.left, now.left_mass - row.before.left_mass);
     add(row.right, now.right - row.before.right, now.right_mass - row.before.right_mass);
     row.inside.add(static_cast<double>(now.on_base), 1.0);

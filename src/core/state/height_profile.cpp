@@ -87,9 +87,8 @@ public:
   }
 
   unsigned subscriptions() const override { return FLIGHTS; }
-  void reserve(std::size_t count) override { begins_.reserve(count); }
   void entered(const Disk& /*disk*/, double time) override { begins_.push_back(time); }
-  void compact(const Compaction& compaction) override { keepSlots(begins_, compaction.kept); }
+  std::vector<double>* perSlot() override { return &begins_; }
   void flew(const Flight& flight) override
   {
     count(flight, sums_);
@@ -107,10 +106,9 @@ public:
     for (double& begin : begins_)
       begin -= length;
   }
-  bool fits(std::size_t slots) const override { return begins_.size() == slots; }
   void archive(StateArchive& state) override
   {
-    state(begins_, sums_.since, sums_.spans);
+    state(sums_.since, sums_.spans);
     for (HeightSlices& slices : sums_.species)
       state(slices);
   }

@@ -10,7 +10,7 @@
 
 #include "model/base_motion.h"
 #include "ratchet_sieve/core/state_archive.h"
-#include "state/observer.h"
+#include "state/disk_events.h"
 
 namespace ratchet_sieve
 {

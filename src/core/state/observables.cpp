@@ -52,7 +52,7 @@ public:
 
   unsigned subscriptions() const override { return BLOCKS; }
 
-  void left(const Departure& departure) override
+  void departed(const Departure& departure) override
   {
     Flow& flow = flows_.of(departure);
     flow.mass += departure.mass;
@@ -126,19 +126,17 @@ class ResidenceTimes final : public Observable
 public:
   explicit ResidenceTimes(const SystemState& system) : system_(system), times_(system) {}
 
-  void reserve(std::size_t count) override { entered_.reserve(count); }
   void entered(const Disk& /*disk*/, double time) override
   {
     entered_.push_back(system_.epoch().start + time);
   }
-  void left(const Departure& departure) override
+  void departed(const Departure& departure) override
   {
     times_.of(departure).add(system_.epoch().start + departure.time - entered_[departure.slot]);
   }
-  void compact(const Compaction& compaction) override { keepSlots(entered_, compaction.kept); }
+  std::vector<double>* perSlot() override { return &entered_; }
   void restart(double /*time*/) override { times_ = PerBin<TimeHistogram>(system_); }
-  void archive(StateArchive& state) override { state(times_, entered_); }
-  bool fits(std::size_t slots) const override { return entered_.size() == slots; }
+  void archive(StateArchive& state) override { state(times_); }
 
   Observed observed(double /*time*/) const override
   {

@@ -102,7 +102,7 @@ void PeriodWatch::sample(double now)
   const double start = begun_;
   const double end = system_.epoch().start + now;
   observer_(
-      {start, end, end - start, system_.observers().counts().collisions.since(collisions_), temperatures_});
+      {start, end, end - start, system_.sums().contacts.counts.collisions.since(collisions_), temperatures_});
   if (start + LEAST_SPACING > end)
     awaitPeriod(start + LEAST_SPACING - system_.epoch().start);
   else
@@ -114,7 +114,7 @@ void PeriodWatch::begin(double now)
   from_ = now;
   part_ = 1;
   begun_ = system_.epoch().start + now;
-  collisions_ = system_.observers().counts().collisions;
+  collisions_ = system_.sums().contacts.counts.collisions;
   std::fill(temperatures_.begin(), temperatures_.end(), TemperatureSum());
 }
 

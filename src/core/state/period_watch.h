@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "search/size_levels.h"
 
@@ -64,20 +64,13 @@ double latticeTurn(const SceneDefinition& scene, double lattice_diameter, bool w
   return wide ? LATTICE_MARGIN_OF_WIDE * diameters
               : std::min(std::sqrt(2.0 * LATTICE_MARGIN * diameters), LATTICE_ROWS * diameters);
 }
-
-const Plan& covering(const Plan& plan, const SceneDefinition& scene)
-{
-  if (!covers(plan, scene))
-    throw std::invalid_argument("the plan does not cover the scene: " + planText(plan));
-  return plan;
-}
 }  // namespace
 
-SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
+SystemState::SystemState(const SceneDefinition& scene)
     : scene_(scene),
       sizes_(scene.species.begin(), scene.species.end()),
       size_classes_(ratchet_sieve::sizeClasses(scene)),
-      plan_(covering(plan, scene)),
+      plan_(planOf(scene)),
       shape_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
       lattice_diameter_(ratchet_sieve::latticeDiameter(scene, largest_diameter_)),
@@ -85,11 +78,12 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       time_scale_(ratchet_sieve::timeScale(scene)),
       epoch_{0.0, std::min(epochLength(time_scale_),
                            longestFall(scene.gravity, ratchet_sieve::smallestRadius(scene)))},
-      motion_(scene.base, 2.0 * lattice_turn_, plan.drive && !planOf(scene).drive),
-      search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
+      motion_(scene.base, 2.0 * lattice_turn_),
+      search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length)),
       pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
-      collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), ids_),
-      observers_(*this)
+      collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), records_, ids_),
+      sums_{ContactSums(scene.species.size()), Averages(*this), EnergyWatch(*this)},
+      log_(*this)
 {
 }
 
@@ -123,21 +117,23 @@ BaseEvent SystemState::nextBaseEvent(std::uint32_t slot, const Kinematics& from,
 void SystemState::reserve(std::size_t count)
 {
   disks_.reserve(count);
-  properties_.reserve(count);
-  active_.reserve(count);
-  collapse_watch_.reserve(count);
-  observers_.reserve(count);
+  records_.reserve(count);
 }
 
 std::uint32_t SystemState::add(Disk disk, const DiskProperties& properties, double time)
 {
+  DiskRecord record;
+  record.properties = properties;
+  record.entered_x = disk.position.x();
+  record.counted_x = record.entered_x;
+  record.counted_from = epoch_.start + time;
   moveZero(disk, -time, scene_.gravity);
-  collapse_watch_.added();
-  observers_.entered(disk, time);
+  record.fly(disk, time, scene_.gravity, -1.0);
+  collapse_watch_.added(properties.mass);
+  log_.entered(disk, time);
   const auto slot = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back(disk);
-  properties_.push_back(properties);
-  active_.push_back(1);
+  records_.push_back(record);
   ++active_count_;
   ids_.added();
   return slot;
@@ -157,7 +153,7 @@ double SystemState::startAt(double start)
   epoch_.start = epoch_.length * std::floor(start / epoch_.length);
   const double local = start - epoch_.start;
   motion_.startAt(local);
-  collapse_watch_.rebase(0.0, epoch_.start);
+  collapse_watch_.setEpoch(epoch_.start);
   return local;
 }
 
@@ -176,74 +172,73 @@ bool SystemState::compact()
   const std::size_t gone = disks_.size() - active_count_;
   if (gone < LEAST_COMPACTED || gone <= active_count_)
     return false;
-  const Compaction compaction{slots(true), slots(false)};
-  observers_.compact(compaction);
-  collapse_watch_.keep(compaction.kept);
-  ids_.keep(compaction.kept);
-  keepSlots(disks_, compaction.kept);
-  keepSlots(properties_, compaction.kept);
-  keepSlots(active_, compaction.kept);
+  const std::vector<std::uint32_t> kept = slots(true), forgotten = slots(false);
+  sums_.averages.forget(forgotten);
+  for (const std::uint32_t slot : forgotten)
+    impulse_of_gone_ += records_[slot].base_impulse;
+  log_.keep(kept);
+  ids_.keep(kept);
+  keepSlots(disks_, kept);
+  keepSlots(records_, kept);
   return true;
 }
 
-void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* share)
+void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* buffer)
 {
   if (scene_.boundary == Boundary::PERIODIC)
-    return wrap(slot, to_the_right ? -1.0 : 1.0, time, share);
+    return wrap(slot, to_the_right ? -1.0 : 1.0, time, buffer);
   Disk& disk = disks_[slot];
-  observers_.flew({slot, disk, time}, share);
+  log_.flew({slot, disk, time}, buffer);
   disk.position = positionAt(disk, time, scene_.gravity);
   disk.countEvent();
-  const Departure departure{slot, disk.species, properties_[slot].mass,
+  DiskRecord& record = records_[slot];
+  record.fly(disk, time, scene_.gravity);
+  record.left_when = epoch_.start + time;
+  record.active = false;
+  const Departure departure{slot, disk.species, record.properties.mass,
                             to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time};
-  active_[slot] = 0;
-  if (share == nullptr)
+  if (buffer == nullptr)
     --active_count_;
-  observers_.left(departure, share);
+  log_.departed(departure, buffer);
 }
 
-void SystemState::merge(ThreadBuffer&& share)
+void SystemState::merge(ThreadBuffer&& buffer)
 {
-  active_count_ -= share.departures();
-  observers_.merge(std::move(share));
+  active_count_ -= buffer.departures;
+  sums_.contacts.add(buffer.contacts);
+  log_.take(std::exchange(buffer.reports, {}));
 }
 
-void SystemState::copyTo(Snapshot& snapshot) const
+void SystemState::restart(double time)
 {
-  snapshot.disks = disks_;
-  snapshot.active = active_;
-  snapshot.windows = collapse_watch_.windows();
-  observers_.copyTo(snapshot.sums);
+  sums_.contacts.restart();
+  sums_.averages.restart();
+  log_.restart(time);
+  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
+    records_[slot].count(disks_[slot], time, epoch_.start, scene_.gravity);
+  impulse_of_gone_.setZero();
 }
 
-void SystemState::restore(const Snapshot& snapshot)
+Eigen::Vector2d SystemState::baseImpulse() const
 {
-  disks_ = snapshot.disks;
-  active_ = snapshot.active;
-  collapse_watch_.windows() = snapshot.windows;
-  observers_.restore(snapshot.sums);
+  Eigen::Vector2d sum = impulse_of_gone_;
+  for (const DiskRecord& record : records_)
+    sum += record.base_impulse;
+  return sum;
 }
 
-void SystemState::restore(std::uint32_t slot, const DiskCopy& copy)
+void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* buffer)
 {
-  disks_[slot] = copy.disk;
-  active_[slot] = 1;
-  observers_.restore(slot, copy.sums);
-  collapse_watch_.windows()[slot] = copy.window;
+  redirect(slot, {twoOf(image.shift), twoOf(image.velocity)}, time, buffer);
+  records_[slot].offset -= image.shift.x();
 }
 
-void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* share)
-{
-  redirect(slot, {twoOf(image.shift), twoOf(image.velocity)}, time, share);
-  observers_.trajectories().wrapped(slot, -image.shift.x());
-}
-
-void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* share)
+void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* buffer)
 {
   if (scene_.boundary != Boundary::PERIODIC || motion_.turning())
     return;
   if (const double widths = widthsOutside(s); widths != 0.0)
-    wrap(slot, -widths, time, share);
+    wrap(slot, -widths, time, buffer);
 }
 
 /// Wraps all disks when the base begins to turn. Before, an image moves exactly as its disk does.
@@ -263,18 +258,18 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, properties_, active_, active_count_, ids_, observers_.sizeClassBins(),
+  state(epoch_, motion_, disks_, records_, active_count_, impulse_of_gone_, ids_, log_.sizeClassBins(),
         collapse_watch_);
   setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene =
-      observers_.sizeClassBins().size() == size_classes_.size() && active_.size() == count &&
-      properties_.size() == count && collapse_watch_.windows().size() == count && ids_.fits(count) &&
+      log_.sizeClassBins().size() == size_classes_.size() && records_.size() == count && ids_.fits(count) &&
       std::all_of(disks_.begin(), disks_.end(),
                   [this](const Disk& disk) { return disk.species < scene_.species.size(); });
   if (!of_this_scene)
     throw StateError("it is of another scene");
-  observers_.archive(state, count);
+  state(sums_);
+  log_.archive(state, count);
 }
 
 std::vector<double> SystemState::activeRadii() const
@@ -303,13 +298,21 @@ double SystemState::shortenEpoch(double now)
 
 void SystemState::rebase(double length)
 {
-  observers_.endSegment(length);
-  observers_.rebase(length);
+  log_.endSegment(length);
+  log_.rebase(length);
   motion_.rebase(length);
-  for (const std::uint32_t slot : slots(true))
+  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
+  {
+    DiskRecord& record = records_[slot];
+    record.last_contact -= length;
+    record.window.end -= length;
+    if (!record.active)
+      continue;
+    record.fly(disks_[slot], length, scene_.gravity);
     moveZero(disks_[slot], length, scene_.gravity);
+  }
   epoch_.start += length;
-  collapse_watch_.rebase(length, epoch_.start);
+  collapse_watch_.setEpoch(epoch_.start);
 }
 
 }  // namespace ratchet_sieve

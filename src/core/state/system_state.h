@@ -14,8 +14,10 @@
 #include "search/contact_search.h"
 #include "search/pair_search.h"
 #include "state/collapse_watch.h"
-#include "state/observer.h"
-#include "state/observers.h"
+#include "state/disk_ids.h"
+#include "state/disk_record.h"
+#include "state/event_log.h"
+#include "state/run_sums.h"
 
 namespace ratchet_sieve
 {
@@ -36,10 +38,7 @@ struct Epoch
 class SystemState
 {
 public:
-  explicit SystemState(const SceneDefinition& scene) : SystemState(scene, planOf(scene)) {}
-
-  /// @throws std::invalid_argument unless the plan covers the scene
-  SystemState(const SceneDefinition& scene, const Plan& plan);
+  explicit SystemState(const SceneDefinition& scene);
   SystemState(const SystemState&) = delete;
   SystemState& operator=(const SystemState&) = delete;
 
@@ -54,7 +53,7 @@ public:
   void changeMotion(Command&& command, double time)
   {
     const bool turned = motion_.turning();
-    observers_.endSegment(time);
+    log_.endSegment(time);
     command(motion_, time);
     if (motion_.turning() && !turned)
       wrapAll(time);
@@ -88,22 +87,24 @@ public:
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
   double radius(std::uint32_t slot) const { return disks_[slot].radius; }
-  const DiskProperties& properties(std::uint32_t slot) const { return properties_[slot]; }
-  bool active(std::uint32_t slot) const { return active_[slot] != 0; }
+  const DiskRecord& record(std::uint32_t slot) const { return records_[slot]; }
+  DiskRecord& record(std::uint32_t slot) { return records_[slot]; }
+  const DiskProperties& properties(std::uint32_t slot) const { return records_[slot].properties; }
+  bool active(std::uint32_t slot) const { return records_[slot].active; }
   std::size_t activeCount() const { return active_count_; }
   std::uint32_t id(std::uint32_t slot) const { return ids_.of(slot); }
   const CollapseWatch& collapseWatch() const { return collapse_watch_; }
   CollapseWatch& collapseWatch() { return collapse_watch_; }
-  const Observers& observers() const { return observers_; }
-  Observers& observers() { return observers_; }
+  const RunSums& sums() const { return sums_; }
+  RunSums& sums() { return sums_; }
+  const EventLog& log() const { return log_; }
+  EventLog& log() { return log_; }
 
   /// Prefetches the memory of an event of this disk.
   void prefetchEvent(std::uint32_t slot) const
   {
     prefetch(disks_[slot]);
-    prefetch(properties_[slot]);
-    collapse_watch_.prefetchWindow(slot);
-    observers_.prefetchSums(slot);
+    prefetch(records_[slot]);
   }
 
   /// The whole widths by which a position s along a periodic base is outside of [0, W); 0 for other bases.
@@ -139,61 +140,78 @@ public:
     double spin = 0.0;  ///< is added [rad/s]
   };
 
-  /// Changes a disk's flight at `time`. @param share as in Observers::collided(), here and below
-  // Inlined: a call costs 1 % of a run.
+  /// Takes an executed contact. @param buffer of the thread, if several advance disks at the same time
+  void collided(const ContactOutcome& outcome, ThreadBuffer* buffer = nullptr)
+  {
+    if (buffer != nullptr)
+      return buffer->collided(outcome);
+    sums_.contacts.add(outcome);
+    if (outcome.closed)
+      log_.collided(outcome);
+  }
+
+  /// Changes a disk's flight at `time`. @param buffer as in collided(), here and below
   [[gnu::always_inline]] void redirect(std::uint32_t slot, const Turn& turn, double time,
-                                       ThreadBuffer* share = nullptr)
+                                       ThreadBuffer* buffer = nullptr)
   {
     Disk& disk = disks_[slot];
-    observers_.flew({slot, disk, time}, share);
+    log_.flew({slot, disk, time}, buffer);
+    const Two velocity = twoOf(disk.velocity);
+    const double spin = disk.spin;
     disk.redirect(turn.way, turn.velocity, time);
     disk.spin += turn.spin;
-    observers_.trajectories().turned(slot, disk, time);
+    records_[slot].turn(velocity, spin, disk, time, scene_.gravity);
   }
 
   /// For SIMD batches. May be called by several threads for different disks at the same time.
   Disk& changeable(std::uint32_t slot) { return disks_[slot]; }
 
   /// Moves the disk to its image `shift` widths to the right, on the same flight.
-  void wrap(std::uint32_t slot, double shift, double time, ThreadBuffer* share = nullptr)
+  void wrap(std::uint32_t slot, double shift, double time, ThreadBuffer* buffer = nullptr)
   {
-    moveTo(slot, image(shift, time), time, share);
+    moveTo(slot, image(shift, time), time, buffer);
   }
 
   /// Wraps a disk on a periodic base by the number of widths that brings `s`, its position along the base,
   /// into [0, W). Does nothing while the base turns, because a disk is then wrapped only when it passes an
   /// end.
-  void wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* share = nullptr);
+  void wrapIntoWidth(std::uint32_t slot, double s, double time, ThreadBuffer* buffer = nullptr);
 
   /// The disk passes an end of the base: into the bin, or on a periodic base to its image at the other end.
-  void passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* share = nullptr);
+  void passEnd(std::uint32_t slot, bool to_the_right, double time, ThreadBuffer* buffer = nullptr);
 
-  /// Takes what a thread has observed. Added observers are told of it by Observers::deliver().
-  void merge(ThreadBuffer&& share);
+  /// Takes what a thread has observed. Observers are told of it by EventLog::deliver().
+  void merge(ThreadBuffer&& buffer);
 
   /// What events without a collapse change of the disks, until their ThreadBuffer is merged.
   struct Snapshot
   {
     std::vector<Disk> disks;
-    std::vector<std::uint8_t> active;
-    std::vector<CollapseWatch::Window> windows;
-    Observers::DiskSums sums;
+    std::vector<DiskRecord> records;
   };
-  void copyTo(Snapshot& snapshot) const;
-  void restore(const Snapshot& snapshot);
+  void copyTo(Snapshot& snapshot) const
+  {
+    snapshot.disks = disks_;
+    snapshot.records = records_;
+  }
+  void restore(const Snapshot& snapshot)
+  {
+    disks_ = snapshot.disks;
+    records_ = snapshot.records;
+  }
 
-  /// What events change of an active disk that collides with no other, until their ThreadBuffer is merged.
+  /// What events change of a disk that collides with no other, until their ThreadBuffer is merged.
   struct DiskCopy
   {
     Disk disk;
-    Observers::OneDisksSums sums;
-    CollapseWatch::Window window;
+    DiskRecord record;
   };
-  DiskCopy copyOf(std::uint32_t slot) const
+  DiskCopy copyOf(std::uint32_t slot) const { return {disks_[slot], records_[slot]}; }
+  void restore(std::uint32_t slot, const DiskCopy& copy)
   {
-    return {disks_[slot], observers_.sumsOf(slot), collapse_watch_.windows()[slot]};
+    disks_[slot] = copy.disk;
+    records_[slot] = copy.record;
   }
-  void restore(std::uint32_t slot, const DiskCopy& copy);
 
   /// The slots of the active disks, or of the others, in increasing order.
   std::vector<std::uint32_t> slots(bool active) const;
@@ -201,6 +219,12 @@ public:
   /// Removes disks that have left from the arrays if they are the majority; the others move to smaller slots.
   /// @return whether it did
   bool compact();
+
+  /// The end of `settle`: the means begin anew.
+  void restart(double time);
+
+  /// The impulse that the base gave to the disks since the means began, world frame [N s].
+  Eigen::Vector2d baseImpulse() const;
 
   /// Time counts from `start` [s] instead of 0. @pre nothing has happened yet
   /// @return the start, local to the epoch: epochs are multiples of their length from time 0, so that times
@@ -221,7 +245,7 @@ public:
 private:
   void setTimeResolution();
   void wrapAll(double time);
-  void moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* share);
+  void moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* buffer);
 
   SceneDefinition scene_;
   std::vector<Sizes> sizes_;  ///< per species
@@ -237,13 +261,15 @@ private:
   ContactSearch search_;
 
   std::vector<Disk> disks_;
-  std::vector<DiskProperties> properties_;
-  std::vector<std::uint8_t> active_;
+  std::vector<DiskRecord> records_;  ///< by slot, as the disks
+  Eigen::Vector2d impulse_of_gone_ =
+      Eigen::Vector2d::Zero();  ///< of the base to disks removed by compaction [N s]
   std::size_t active_count_ = 0;
   DiskIds ids_;
   PairScene pair_scene_;  ///< of the members above
   CollapseWatch collapse_watch_;
-  Observers observers_;
+  RunSums sums_;
+  EventLog log_;
 };
 
 }  // namespace ratchet_sieve

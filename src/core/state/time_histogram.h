@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/results.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve

@@ -1,11 +1,9 @@
-#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/disks_of_scene.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 
-#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
 
@@ -17,9 +15,6 @@ constexpr double PI = 3.14159265358979323846;
 
 /// Packing fraction of a heap of disks: about random close packing in two dimensions.
 constexpr double HEAP_PACKING = 0.82;
-
-/// Upper bound of the memory per disk in a large run, including neighbours, events and sums [bytes].
-constexpr double MEMORY_PER_DISK = 500.0;
 
 /// Height of a heap of disks with this total area [m].
 double heapHeight(const SceneDefinition& scene, double area)
@@ -128,20 +123,6 @@ double feedGrowth(const SceneDefinition& scene)
                         [](double sum, const FedDisk& disk) { return sum + PI * disk.radius * disk.radius; });
   }
   return shares > 0.0 ? heapHeight(scene, feedRate(scene) * area / shares) : 0.0;
-}
-
-std::string sizeText(const SceneDefinition& scene)
-{
-  const auto disks = static_cast<double>(disksAtStart(scene));
-  std::ostringstream out;
-  out.precision(3);
-  out << countText(disksAtStart(scene), "disk") << ", ";
-  if (feedRate(scene) > 0.0)
-    out << "fed at " << feedRate(scene) << "/s, ";
-  if (scene.contact.pair_collisions && disks > 0.0)
-    out << "at rest a layer of about " << settledLayer(scene) << " m, ";
-  out << "about " << std::lround(std::max(1.0, 1e-6 * MEMORY_PER_DISK * disks)) << " MB of memory";
-  return out.str();
 }
 
 double wallHeight(const SceneDefinition& scene)

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 
 #include "ratchet_sieve/core/definition.h"
 
 namespace ratchet_sieve
 {
 
-/// The number of disks in a scene, and the height of their layer.
+/// The disks of a scene: their number, their sizes, their feed and the height of their layer.
 
 /// The number of disks poured or placed at the start.
 std::size_t disksAtStart(const SceneDefinition& scene);
@@ -37,9 +36,6 @@ double feedRate(const SceneDefinition& scene);
 
 /// The speed at which the feed raises the settled layer while no disk leaves [m/s].
 double feedGrowth(const SceneDefinition& scene);
-
-/// One line for the user, printed before the pour: number of disks, layer height, memory.
-std::string sizeText(const SceneDefinition& scene);
 
 /// Height of the walls of a walled scene above the foot line n = 0 [m]: base.wall_height if above 0.
 /// Otherwise the top of the poured disks plus ten widths of the base. That is high enough to retain the disks

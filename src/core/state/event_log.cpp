@@ -1,4 +1,4 @@
-#include "state/observers.h"
+#include "state/event_log.h"
 
 #include <algorithm>
 #include <iterator>
@@ -38,7 +38,7 @@ public:
     if (const std::size_t k = system_.sizeClassOf(disk); k < of_size_classes.size())
       ++of_size_classes[k].on_base;
   }
-  void left(const Departure& departure) override
+  void departed(const Departure& departure) override
   {
     --of_species[departure.species].on_base;
     count(departure, of_species[departure.species]);
@@ -65,16 +65,45 @@ private:
   const SystemState& system_;
 };
 
-Observers::Observers(const SystemState& system)
-    : system_(system),
-      species_(system.scene().species.size()),
-      ordered_(!system.plan().pairs),
-      species_contacts_(species_),
-      contact_times_(system.plan().contact_times),
-      averages_(system),
-      energy_watch_(system),
-      trajectories_(system),
-      bins_(add(std::make_unique<Bins>(system)))
+/// Counts contacts with each face and corner of a profile. A sawtooth needs none: its kinds of contacts say
+/// it.
+class FaceCounts final : public Observer
+{
+public:
+  explicit FaceCounts(const BaseShape& shape)
+  {
+    contacts_.face_contacts.resize(shape.faces().size());
+    contacts_.corner_contacts.resize(shape.faces().size());
+  }
+
+  unsigned subscriptions() const override { return CONTACTS; }
+
+  void collided(const ContactOutcome& outcome) override
+  {
+    const auto index = static_cast<std::size_t>(outcome.feature.index());
+    if (outcome.feature.kind() == BaseFeatureKind::FACE)
+      ++contacts_.face_contacts[index];
+    else if (outcome.kind == CollisionKind::APEX)
+      ++contacts_.corner_contacts[index];
+  }
+
+  const FaceContacts& contacts() const { return contacts_; }
+
+  /// @throws StateError if the state is of another profile
+  void archive(StateArchive& state) override
+  {
+    const std::size_t faces = contacts_.face_contacts.size();
+    state(contacts_);
+    if (contacts_.face_contacts.size() != faces || contacts_.corner_contacts.size() != faces)
+      throw StateError("it is of another scene");
+  }
+
+private:
+  FaceContacts contacts_;
+};
+
+EventLog::EventLog(const SystemState& system)
+    : system_(system), ordered_(!system.plan().pairs), bins_(add(std::make_unique<Bins>(system)))
 {
   if (system.scene().feed.any() && system.scene().boundary != Boundary::PERIODIC)
     flow_ = add(std::make_unique<FlowBlocks>(system));
@@ -84,19 +113,11 @@ Observers::Observers(const SystemState& system)
     faces_ = add(std::make_unique<FaceCounts>(system.shape()));
 }
 
-/// The sums of a disk change at once: no other thread has the disk.
-void Observers::collided(const ContactOutcome& outcome, ThreadBuffer& share)
-{
-  share.collided(1, [&](std::size_t) { return outcome; });
-  if (!outcome.closed)
-    return;
-  impulses_.collided(outcome);
-  contact_times_.collided(outcome);
-}
+EventLog::~EventLog() = default;
 
-void Observers::deliverNow(const ContactOutcome& outcome)
+void EventLog::deliverNow(const ContactOutcome& outcome)
 {
-  for (const std::unique_ptr<Observer>& observer : added_)
+  for (const auto& observer : observers_)
     observer->collided(outcome);
   if (!on_collision_)
     return;
@@ -112,16 +133,16 @@ void Observers::deliverNow(const ContactOutcome& outcome)
   on_collision_(record);
 }
 
-void Observers::deliverNow(const Flight& flight)
+void EventLog::deliverNow(const Flight& flight)
 {
-  for (const std::unique_ptr<Observer>& observer : added_)
+  for (const auto& observer : observers_)
     observer->flew(flight);
 }
 
-void Observers::deliverNow(const Departure& departure)
+void EventLog::deliverNow(const Departure& departure)
 {
-  for (const std::unique_ptr<Observer>& observer : added_)
-    observer->left(departure);
+  for (const auto& observer : observers_)
+    observer->departed(departure);
   const double time = system_.epoch().start + departure.time;
   if (kept_length_ > 0.0)
     exits_.emplace_back(time, departure);
@@ -134,7 +155,7 @@ void Observers::deliverNow(const Departure& departure)
             disk.position.x()});
 }
 
-void Observers::deliver()
+void EventLog::deliver()
 {
   std::stable_sort(pending_.begin(), pending_.end(),
                    [](const PendingReport& a, const PendingReport& b)
@@ -144,46 +165,43 @@ void Observers::deliver()
   pending_.clear();
 }
 
-void Observers::merge(ThreadBuffer&& share)
+void EventLog::take(std::vector<PendingReport>&& reports)
 {
-  counts_.add(share.counts_);
-  species_contacts_.add(share.species_contacts_);
-  std::move(share.reports_.begin(), share.reports_.end(), std::back_inserter(pending_));
-  share.reports_.clear();
+  std::move(reports.begin(), reports.end(), std::back_inserter(pending_));
 }
 
-void Observers::noteSubscriptions()
+void EventLog::noteSubscriptions()
 {
   subscriptions_ = on_collision_ ? unsigned{Observer::CONTACTS} : 0;
-  for (const std::unique_ptr<Observer>& observer : added_)
+  for (const auto& observer : observers_)
     subscriptions_ |= observer->subscriptions();
 }
 
-ExitWindow Observers::exitWindow(double time, double not_before) const
+ExitWindow EventLog::exitWindow(double time, double not_before) const
 {
   ExitWindow window{std::max({time - kept_length_, kept_from_, not_before}),
-                    std::vector<SpeciesBins>(species_)};
+                    std::vector<SpeciesBins>(bins().size())};
   for (auto exit = exits_.rbegin(); exit != exits_.rend() && exit->first > window.start; ++exit)
     count(exit->second, window.bins[exit->second.species]);
   return window;
 }
 
-const std::vector<SpeciesBins>& Observers::bins() const
+const std::vector<SpeciesBins>& EventLog::bins() const
 {
   return bins_->of_species;
 }
 
-std::vector<SpeciesBins>& Observers::sizeClassBins()
+std::vector<SpeciesBins>& EventLog::sizeClassBins()
 {
   return bins_->of_size_classes;
 }
 
-FlowSeries Observers::flowSeries(double start, double block_time) const
+FlowSeries EventLog::flowSeries(double start, double block_time) const
 {
   return flow_ ? flow_->series(start, block_time) : FlowSeries();
 }
 
-std::vector<Observed> Observers::observed(double time, bool settled) const
+std::vector<Observed> EventLog::observed(double time, bool settled) const
 {
   std::vector<Observed> observed;
   for (std::size_t k = 0; k < observables_.size(); ++k)
@@ -195,15 +213,30 @@ std::vector<Observed> Observers::observed(double time, bool settled) const
   return observed;
 }
 
-void Observers::archive(StateArchive& state, std::size_t slots)
+FaceContacts EventLog::faceContacts() const
 {
-  forEach(
-      [&](Observer& observer)
-      {
-        observer.archive(state);
-        if (!observer.fits(slots))
-          throw StateError("it is of another scene");
-      });
+  return faces_ != nullptr ? faces_->contacts() : FaceContacts();
+}
+
+void EventLog::keep(const std::vector<std::uint32_t>& slots)
+{
+  for (const auto& observer : observers_)
+    if (std::vector<double>* numbers = observer->perSlot())
+      keepSlots(*numbers, slots);
+}
+
+void EventLog::archive(StateArchive& state, std::size_t slots)
+{
+  for (const auto& observer : observers_)
+  {
+    if (std::vector<double>* numbers = observer->perSlot())
+    {
+      state(*numbers);
+      if (numbers->size() != slots)
+        throw StateError("it is of another scene");
+    }
+    observer->archive(state);
+  }
 }
 
 }  // namespace ratchet_sieve

@@ -175,6 +175,18 @@ struct PeriodRecord
 
 using PeriodObserver = std::function<void(const PeriodRecord&)>;
 
+/// A disk whose energy no fall and no elastic bounce off the base explains; see EnergyWatch.
+struct LargeEnergy
+{
+  double time = 0.0;    ///< of the run [s]
+  double energy = 0.0;  ///< [J]
+  double height = 0.0;  ///< in the world [m]
+  double scales = 0.0;  ///< the energy, in those of the machine
+  std::uint32_t disk = 0;
+
+  void archive(StateArchive& state) { state(time, energy, height, scales, disk); }
+};
+
 /// The number of inelastic collapses or jams; see CollapseWatch.
 struct CollapseCounts
 {
