@@ -2,6 +2,7 @@
 // stay for random times and leave on the left with a known probability.
 #include "ratchet_sieve/recording/filling.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>

@@ -1,5 +1,6 @@
 #include "ratchet_sieve/recording/proportions.h"
 
+#include <cmath>
 #include <cstdint>
 #include <random>
 

@@ -1,5 +1,8 @@
 #include "ratchet_sieve/recording/steady.h"
 
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "ratchet_sieve/recording/checkpoint.h"

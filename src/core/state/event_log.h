@@ -161,7 +161,7 @@ private:
   Bins* bins_;
   std::vector<const Observable*> observables_;  ///< in the order of the scene
   const FaceCounts* faces_ = nullptr;           ///< of a profile
-  const FlowBlocks* flow_ = nullptr;            ///< one of them, where disks are fed and can leave
+  const FlowBlocks* flow_ = nullptr;            ///< where disks are fed and can leave
 
   // See keepExits().
   double kept_length_ = 0.0;                                     ///< [s]
