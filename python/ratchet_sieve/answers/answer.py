@@ -26,7 +26,7 @@ td, th {{padding: 0.1em 0.8em; text-align: right; border-bottom: 1px solid #ddd}
 
 @dataclasses.dataclass(frozen=True)
 class Interval:
-    """A mean and half the width of its interval at 95 % (None: of one run); `count` runs, 0: of a surface."""
+    """A mean and half the width of its interval at 95 % (None: not known); `count` runs, 0: of a surface."""
 
     value: float
     half_width: Optional[float]
@@ -49,21 +49,26 @@ class Interval:
 class Answer:
     """Which settings part the kinds best.
 
-    best        key -> value; None where nothing is separated
+    best        key -> value; None where nothing is separated. Without an interval the best so far
     separation  Interval of the goal at the best, from runs with fresh seeds; signed: above 0 the first species of the
                 scene leaves more to the left. In a closed machine the difference of mean velocities, first less
                 second [m/s]; with a goal of the user's, that number
-    separated   whether the interval does not contain 0
+    separated   whether the interval is known and does not contain 0
     bound       |value| is not above this at any setting, at 95 % of all together, by the surface
-    as_good     DataFrame: settings that cannot be told from the best, with the surface's value and half_width there
+    as_good     DataFrame: settings that cannot be told from the best: the surface's value and half_width, by how much
+                each `may_lose` against the best (95 %), and of the nearest run `processed` (P), `throughput` [1/s],
+                disks `inside` while steady, and `warnings`
+    inside      disks in a fed machine while it is steady
     throughput  disks [1/s], mass [kg/s] of the one plane of disks, mass_per_depth [kg/(s m)]: planes side by side, each
                 as thick as the mean diameter `depth` [m]. None in a closed machine
     purity, recovery  .left.number.A and so on; None in a closed machine
     floor       what changes with half of contact.min_rebound_speed: .from, .to [m/s], .change, .depends; None: not
                 checked
     warnings    texts: what was cut short, a setting at the end of its range, warnings of the runs
-    cost        runs, simulated [s], processor [s] and seconds [s of wall time], both of this call
-    map         DataFrame: the surface over the ranges, with its half_width
+    cost        runs, simulated [s], processor [s] and seconds [s of wall time], both of this call; `announced` [s of wall
+                time] before the first run
+    map         DataFrame: the surface over the ranges, with its half_width; `why` the machine is no answer there, as
+                choked, still filling: "" where it is one
     runs        DataFrame: a row for each run, as of a sweep
     seen        DataFrame: the value of each run and its variance
     """
@@ -84,6 +89,7 @@ class Answer:
     runs: pandas.DataFrame
     seen: pandas.DataFrame
     floor: Any = None
+    inside: Optional[Interval] = None
 
     @property
     def scene(self) -> Any:
@@ -100,27 +106,27 @@ class Answer:
     def _lines(self) -> list[str]:
         unit = " m/s" if self.machine.kind == "closed" and self.machine.is_signed else ""
         goal = self.machine.goal
-        if not self.separated:
+        if self.best is None:
             lines = [f"not separated: |{goal}| < {at_most(self.bound)}{unit} at 95 % everywhere"
                      if self.bound < self.within else
                      f"not separated: {goal} {self.separation}{unit} at the best setting, "
                      f"below {at_most(self.bound)}{unit} at 95 % everywhere"]
         else:
             at = ", ".join(f"{key} = {_with_unit(key, value)}" for key, value in (self.best or {}).items())
-            source = f"{counted(self.separation.count, 'run')} with fresh seeds" if self.separation.count else \
-                "from the search's own runs"
-            lines = [f"{goal} {self.separation}{unit} (95 %, {source})", f"at {at}",
-                     f"as good: {self._region()}"]
-        for side in ("left", "right") if self.separated and self.purity else ():
+            source = f"95 %, {counted(self.separation.count, 'run')} with fresh seeds" if self.separation.count else \
+                "no interval: of the search's own runs"
+            lines = [f"{goal} {self.separation}{unit} ({source})", f"at {at}",
+                     f"as good: {self._region()}; the worst of them may lose {at_most(self.as_good.may_lose.max())}{unit}"]
+        for side in ("left", "right") if self.best and self.purity else ():
             lines.append(f"{side}: " + "; ".join(
                 f"{name} purity {self.purity[side].number[name]}, recovery {self.recovery[side].number[name]}"
                 for name in self.machine.scene.species))
-        if self.separated and self.throughput:
+        if self.best and self.throughput:
             per = self.throughput
             lines.append(f"throughput {per.disks} disks/s; {_grams(per.mass)} g/s in one plane of disks; "
                          f"{_grams(per.mass_per_depth)} g/s per metre of depth, as of planes {1e3 * per.depth:.3g} mm "
                          "thick")
-        if self.separated and self.floor:
+        if self.best and self.floor:
             lines.append(f"with half of contact.min_rebound_speed: changes by {self.floor.change}, "
                          + ("it depends on it" if self.floor.depends else "no dependence seen"))
         lines.append(f"cost: {counted(self.cost.runs, 'run')}, {self.cost.simulated:.4g} s simulated, "
@@ -141,8 +147,8 @@ class Answer:
 
     def as_json(self) -> dict:
         """As `sieve_separate --json` writes it; what is undefined is None."""
-        names = ("best", "separation", "separated", "bound", "throughput", "purity", "recovery", "floor", "warnings",
-                 "cost")
+        names = ("best", "separation", "separated", "bound", "throughput", "purity", "recovery", "inside", "floor",
+                 "warnings", "cost")
         return {"goal": self.machine.goal, "within": self.within,
                 **{name: _plain(getattr(self, name)) for name in names},
                 "as_good": json.loads(self.as_good.to_json(orient="records", double_precision=6))}
