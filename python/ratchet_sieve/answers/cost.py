@@ -17,28 +17,30 @@ def announce(search, seconds, error):
     """@param seconds the budget or None @param error standard error of the final mean that is aimed at
     @return what is said before the first run, a line each, and the cost [s of wall time]"""
     machine, first = search.machine, len(search.first())
-    rate = _cost_of_a_second(search, OF_A_RUN if seconds is None else min(OF_A_RUN, OF_BUDGET * seconds))
+    middle = search.grid[int(np.abs(search.grid - np.median(search.grid, axis=0)).sum(axis=1).argmin())]
     simulated = machine.shortest * first * SEARCH
     if machine.kind == "fed":
         simulated += SINGLE / error ** 2 / machine.rate
-    cost = rate * simulated / search.threads
-    length = f"each run is {shown(float(f'{machine.shortest:.2g}'))} s long"
-    if machine.rarest:
-        length += f", because {machine.rarest[0]} is {100.0 * machine.rarest[1]:.2g} %"
-    whole = f"about {duration(cost)} on {counted(search.threads, 'core')}"
+    limit = OF_A_RUN if seconds is None else min(OF_A_RUN, OF_BUDGET * seconds)
+    line, cost = cost_text(machine, middle, search.seed, simulated, search.threads, limit)
     if seconds is not None and seconds < cost:
-        whole += f"; the budget ends it after {duration(seconds)}"
-    return [*idle_text(search), f"{length}: {whole}"], cost
+        line += f"; the budget ends it after {duration(seconds)}"
+    return [*idle_text(search), line], cost
 
 
-def _cost_of_a_second(search, limit):
-    """Of simulated time, by a run in the middle of the ranges [s of wall time]."""
-    middle = search.grid[int(np.abs(search.grid - np.median(search.grid, axis=0)).sum(axis=1).argmin())]
+def cost_text(machine, place, seed, simulated, threads, limit=OF_A_RUN):
+    """@param place of a short run, which tells what a simulated second costs @param simulated time of all runs [s]
+    @return what they will cost, as a line and in seconds of wall time"""
     begin = time.monotonic()
-    rows = search.machine.run(middle[None], [search.machine.shortest], (search.seed + SEEDS - 1, 1), budget=limit)
-    if not len(rows) or rows["simulated_time"].iloc[0] <= 0.0:
-        return (time.monotonic() - begin) / search.machine.shortest  # at least: it was cut while its disks were placed
-    return float(rows["wall_time"].iloc[0] / rows["simulated_time"].iloc[0])
+    rows = machine.run(place[None], [machine.shortest], (seed + SEEDS - 1, 1), budget=limit)
+    if len(rows):
+        second = float(rows["wall_time"].iloc[0] / rows["simulated_time"].iloc[0])
+    else:
+        second = (time.monotonic() - begin) / machine.shortest  # at least: it was cut while its disks were placed
+    cost = second * simulated / threads
+    why = f", because {machine.rarest[0]} is {100.0 * machine.rarest[1]:.2g} %" if machine.rarest else ""
+    return (f"each run is {shown(float(f'{machine.shortest:.2g}'))} s long{why}: about {duration(cost)} on "
+            f"{counted(threads, 'core')}"), cost
 
 
 def idle_text(search):

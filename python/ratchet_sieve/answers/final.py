@@ -7,7 +7,7 @@ import pandas
 from ratchet_sieve import stats
 from ratchet_sieve.answers.answer import Answer, Interval
 from ratchet_sieve.answers.cost import announce, idle_text, whys
-from ratchet_sieve.answers.machine import SIDES
+from ratchet_sieve.answers.machine import flow_of
 from ratchet_sieve.answers.products import interval_of, products_of
 from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
 from ratchet_sieve.texts import at_most, counted
@@ -227,8 +227,7 @@ def _map(search):
     places = pandas.DataFrame([search.machine.settings(place) for place in search.grid])
     works = search.works & (search.why == "")
     rows = search.runs.iloc[search.last].reset_index(drop=True)
-    left = sum(rows[f"{side}.{name}"] for side in SIDES for name in search.machine.scene.species)
-    fields = {"processed": rows["processed"], "throughput": left / rows["simulated_time"],
+    fields = {"processed": rows["processed"], "throughput": flow_of(rows),
               "inside": rows.get("steady.inside.value"), "warnings": rows["warning_text"].fillna("")}
     return places.assign(value=np.where(works, search.value, np.nan),
                          half_width=np.where(works, Z * search.error, np.nan),

@@ -255,6 +255,11 @@ def _share_goal(goal, species):
     return Goal(f"{parts[0]}:{parts[3]}:{parts[1]}" + (":mass" if parts[2] == "mass" else ""), species)
 
 
+def flow_of(rows):
+    """The throughput of each run of a fed machine, while it was steady, or of all of it [1/s]."""
+    return _column(rows, "steady.throughput.number.value").fillna(rows["counted"] / rows["simulated_time"])
+
+
 def _column(rows, name):
     """NaN where there is none: no run had such a number."""
     return rows[name] if name in rows else pandas.Series(np.nan, index=rows.index)
