@@ -59,6 +59,7 @@ class Answer:
                 each `may_lose` against the best (95 %), and of the nearest run `processed` (P), `throughput` [1/s],
                 disks `inside` while steady, and `warnings`
     inside      disks in a fed machine while it is steady
+    stages      of next_stage(): products over all stages and their balance, see there
     throughput  disks [1/s], mass [kg/s] of the one plane of disks, mass_per_depth [kg/(s m)]: planes side by side, each
                 as thick as the mean diameter `depth` [m]. None in a closed machine
     purity, recovery  .left.number.A and so on; None in a closed machine
@@ -90,6 +91,8 @@ class Answer:
     seen: pandas.DataFrame
     floor: Any = None
     inside: Optional[Interval] = None
+    stages: Optional[Values] = None
+    chain: Any = None
 
     @property
     def scene(self) -> Any:
@@ -129,6 +132,10 @@ class Answer:
         if self.best and self.floor:
             lines.append(f"with half of contact.min_rebound_speed: changes by {self.floor.change}, "
                          + ("it depends on it" if self.floor.depends else "no dependence seen"))
+        for product in self.stages.products if self.stages else ():
+            lines.append(f"product {product.stage} {product.side}: " + "; ".join(
+                f"{name} purity {product.purity.mass[name]} by mass, recovery {product.recovery.mass[name]}"
+                for name in self.machine.scene.species) + f"; {_grams(product.throughput)} g/s in one plane of disks")
         lines.append(f"cost: {counted(self.cost.runs, 'run')}, {self.cost.simulated:.4g} s simulated, "
                      f"{self.cost.processor:.3g} s of processor time")
         return lines + [f"warning: {text}" for text in self.warnings]
@@ -139,6 +146,26 @@ class Answer:
                           for key in self.machine.keys)
         return f"{spans} ({100.0 * part:.0f} % of the ranges)"
 
+    def next_stage(self, side: str, over: Any, **options: Any) -> Answer:
+        """The machine that takes what leaves this one, at its best settings, at a side: a search of its own, whose scene
+        is fed at the rate, in the numbers and with the sizes that leave. Of the best of it `stages` has, from runs of
+        all stages, each fed with the very grains that leave the one before:
+
+        products   what no further stage takes: stage, side, throughput [kg/s], purity and recovery (of all that is
+                   fed) by mass and by number, with intervals
+        balance    of one such run: grains fed, at each end, and inside of each stage
+
+        side     "left" or "right"
+        over     ranges of the next machine's keys; else it is as this one
+        options  of separate()
+        Raises ValueError, also for a machine that is not fed, or where nothing leaves there. Warns where the stage undoes
+        this one.
+        """
+        from . import separate
+        from .stages import next_stage
+
+        return next_stage(self, side, over, separate, **options)
+
     def plot(self, axes: Any = None) -> Any:
         """Draws the surface with the settings that are as good. Returns matplotlib's axes."""
         from ratchet_sieve.plots.answer import draw
@@ -148,7 +175,7 @@ class Answer:
     def as_json(self) -> dict:
         """As `sieve_separate --json` writes it; what is undefined is None."""
         names = ("best", "separation", "separated", "bound", "throughput", "purity", "recovery", "inside", "floor",
-                 "warnings", "cost")
+                 "stages", "warnings", "cost")
         return {"goal": self.machine.goal, "within": self.within,
                 **{name: _plain(getattr(self, name)) for name in names},
                 "as_good": json.loads(self.as_good.to_json(orient="records", double_precision=6))}
@@ -187,4 +214,6 @@ def _plain(value: Any) -> Any:
         return {"value": value.value, "half_width": value.half_width, "count": value.count}
     if isinstance(value, dict):
         return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_plain(item) for item in value]
     return value
