@@ -6,9 +6,9 @@ import pandas
 
 from ratchet_sieve import stats
 from ratchet_sieve.answers.answer import Answer, Interval
-from ratchet_sieve.answers.cost import announce, idle_text, whys
+from ratchet_sieve.answers.cost import announce, duration, idle_text, whys
 from ratchet_sieve.answers.machine import flow_of
-from ratchet_sieve.answers.products import interval_of, products_of
+from ratchet_sieve.answers.intervals import interval_of, products_of
 from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
 from ratchet_sieve.texts import at_most, counted
 from ratchet_sieve.values import Values
@@ -41,7 +41,7 @@ def answer_of(search, budget, bar):
         search.deadline = budget.of_search
         _first_runs(search, bar)
         while True:
-            _search(search, bar, budget)
+            _search(search, bar, announced)
             late = search.is_late()
             search.deadline = budget.end
             if search.nowhere() or _fresh_runs(search, bar, fresh, notes):
@@ -94,13 +94,13 @@ class Fresh:
         return self.rows[works] if works.sum() > 1 else None
 
 
-def _search(search, bar, budget):
+def _search(search, bar, announced):
     while True:
         if not search.assess():
             reasons = whys(search.machine.observed(search.runs)) if len(search.runs) else "none has ended"
             runs = f"in {counted(len(search.runs), 'run')}: {reasons}"
             if search.is_late():
-                raise ValueError(f"budget = {budget.seconds:g} s: too small for any answer: {runs}")
+                raise ValueError(f"budget: too small for any answer, of about {duration(announced)}: {runs}")
             raise RuntimeError(f"the machine works nowhere in these ranges: {runs}")
         part, text = 0.3 + 0.5 * min(search.within / max(float(search.may.max()), 1e-9), 1.0), _so_far(search)
         search.show = lambda done: bar.show(part, f"{text}; {done}")
@@ -135,13 +135,13 @@ def _fresh_runs(search, bar, fresh, notes):
     """Runs of the best setting until the interval of their mean is as narrow as `within`.
     @param fresh gets the runs. @return False where the machine does not work there, as a rule"""
     machine = search.machine
-    runs, duration = FRESH, search.final_duration(FRESH, search.within / EXPECTED, LONG_ENOUGH)
+    runs, length = FRESH, search.final_duration(FRESH, search.within / EXPECTED, LONG_ENOUGH)
     if search.deadline is not None:
-        runs, duration = _affordable(search, duration)
+        runs, length = _affordable(search, length)
     fresh.rows = pandas.DataFrame()
     while True:
         search.show = lambda done: bar.show(0.8, f"{done} fresh runs")
-        rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(runs, duration)], ignore_index=True)
+        rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(runs, length)], ignore_index=True)
         seen = machine.observed(rows) if len(rows) else None
         if not search.is_late() and seen["value"].notna().sum() < max(LEAST_WORKING * len(rows), 2):
             at = ", ".join(f"{key} = {value:g}" for key, value in machine.settings(search.grid[search.best]).items())
@@ -159,13 +159,13 @@ def _fresh_runs(search, bar, fresh, notes):
             return True
 
 
-def _affordable(search, duration):
+def _affordable(search, length):
     """@return how many runs, and how long, that end by the deadline: few, where many would be too short"""
     for runs in FEWER_FRESH:
         longest = AFFORDABLE * search.affordable(runs, search.deadline)
         if longest >= search.machine.shortest:
             break
-    return runs, max(min(duration, longest), LEAST_PART * search.machine.shortest)
+    return runs, max(min(length, longest), LEAST_PART * search.machine.shortest)
 
 
 def _answer(search, fresh, notes, floor, clocks, announced):
