@@ -32,6 +32,7 @@ _NAMES = {
     "front": "answers.front",
     "live": "pages",
     "separate": "answers",
+    "size_table": "size_tables",
 }
 _SUBMODULES = ("documents", "env", "errors", "origin", "plots", "stats", "tables")
 

@@ -28,6 +28,7 @@ from .runs import Run as Run
 from .runs import run as run
 from .scene import Scene as Scene
 from .simulation import Simulation as Simulation
+from .size_tables import size_table as size_table
 from .sweeps import read_sweep as read_sweep
 from .sweeps import sweep as sweep
 from .values import Summary as Summary

@@ -12,6 +12,7 @@ from . import _engine
 from .arguments import mapping
 from .base import length, surface
 from .errors import SceneError, SieveWarning, warn
+from .values import Values
 
 Overrides = Mapping[str, Any]
 
@@ -110,6 +111,27 @@ class Scene:
     def species(self) -> list[str]:
         """The names of the species, in their order."""
         return self._engine.species
+
+    @property
+    def composition(self) -> Values:
+        """What is fed, or poured where nothing is: the share of each species by `number` and by `mass`, as expected of
+        its sizes; None where there are no disks."""
+        values = self.values
+        disks, names = values["feed"].get("disks"), self.species
+        if disks:
+            numbers = [sum(disk["species"] == name for disk in disks) for name in names]
+            masses = [sum(disk["mass"] for disk in disks if disk["species"] == name) for name in names]
+        else:
+            if values["feed"]["rate"] > 0.0:
+                numbers = [species["share"] for species in values["species"]]
+            elif values["initial"]:
+                numbers = [sum(disk["species"] == name for disk in values["initial"]) for name in names]
+            else:
+                numbers = [species["count"] for species in values["species"]]
+            masses = [count * mass for count, mass in zip(numbers, self._engine.mean_masses)]
+        return Values((by, Values((name, part / sum(parts) if sum(parts) > 0.0 else None)
+                                  for name, part in zip(names, parts)))
+                      for by, parts in (("number", numbers), ("mass", masses)))
 
     @property
     def width(self) -> float:

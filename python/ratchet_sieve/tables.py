@@ -207,6 +207,11 @@ def departed(frame):
     return frame[[name for name in frame if name.startswith(("left.", "right."))]].sum(axis=1, min_count=1)
 
 
+def species_of(frame):
+    """The names of the species, in the scene's order. @param frame of Rows"""
+    return [name[len("left."):] for name in frame if name.startswith("left.")]
+
+
 def throughput(frame):
     """Disks that left in a second, of each run [1/s]. @param frame of Rows"""
     return departed(frame) / frame["simulated_time"].where(frame["simulated_time"] > 0.0)

@@ -43,6 +43,15 @@ def counted(number, noun):
     return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
+def which_way(separation, names, left=None):
+    """Where two kinds go. @param separation s: above 0 the first leaves more to the left
+    @param left of each the share that leaves to the left, where it is known"""
+    order = (0, 1) if separation > 0.0 else (1, 0)
+    to_left, to_right = (names[k] for k in order)
+    more = "" if left is None or left[order[0]] > 0.5 > left[order[1]] else "more "
+    return f"{to_right} goes {more}to the right, {to_left} {more}to the left"
+
+
 def span(values, unit=""):
     """From the first to the last."""
     return f"{values[0]:g}{unit}" if len(values) == 1 else f"{values[0]:g} to {values[-1]:g}{unit}"

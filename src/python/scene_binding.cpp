@@ -10,6 +10,7 @@
 
 #include "bindings.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
+#include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -82,6 +83,14 @@ void bindScene(py::module_& module)
       .def_property_readonly("species", [](const Scene& scene) { return speciesNames(scene.definition); })
       .def_property_readonly("throws", [](const Scene& scene)
                              { return peakLift(scene.definition.base) >= scene.definition.gravity; })
+      .def_property_readonly("mean_masses",
+                             [](const Scene& scene)
+                             {
+                               std::vector<double> masses;
+                               for (const SpeciesDefinition& species : scene.definition.species)
+                                 masses.push_back(meanMass(species));
+                               return masses;
+                             })
       .def_readonly("warnings", &Scene::warnings)
       .def("disks_of", &recordedDisks, py::arg("columns"));
   module.def("read_text", &readText, py::arg("path"));

@@ -131,20 +131,25 @@ YAML::Node childOf(YAML::Node parent, const std::string& name, const std::string
   return parent[std::stoul(part)];
 }
 
-/// Refuses a key of the sawtooth where a profile gives the tooth; a profile replaces the sawtooth's keys.
-void chooseTooth(YAML::Node& root, const std::vector<std::string>& path, const std::string& assignment)
+/// Refuses a key of the base in whose place another one stands, as base.profile in that of the sawtooth's;
+/// that other one takes it out.
+void replaceOthers(YAML::Node& root, const std::vector<std::string>& path, const std::string& assignment)
 {
   if (path.size() != 2 || path[0] != "base" || !root["base"].IsMap())
     return;
   YAML::Node base = root["base"];
-  if (!base["profile"].IsDefined())
-    return;
-  if (SAWTOOTH_KEYS.count(path[1]) > 0)
-    refuse(assignment,
-           "base.profile gives the tooth; for a sawtooth take it out first, with base.profile=null");
-  if (path[1] == "profile")
-    for (const std::string& key : SAWTOOTH_KEYS)
-      base.remove(key);
+  for (const Replacement& replacement : baseReplacements())
+  {
+    const std::string name = std::string("base.") + replacement.key;
+    if (!base[replacement.key].IsDefined())
+      continue;
+    if (replacement.others.count(path[1]) > 0)
+      refuse(assignment,
+             name + " gives " + replacement.gives + "; take it out first, with " + name + "=null");
+    if (path[1] == replacement.key)
+      for (const std::string& other : replacement.others)
+        base.remove(other);
+  }
 }
 
 /// @param take_out whether a map loses the key @param assignment for errors
@@ -166,7 +171,7 @@ void setKey(YAML::Node& root, const std::string& key, const YAML::Node& value, b
     parent.remove(name);
   else
     place = copyWithoutLines(value);  // which are not those of the tree that it becomes a part of
-  chooseTooth(root, path, assignment);
+  replaceOthers(root, path, assignment);
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "ratchet_sieve/scene/entry.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -77,7 +80,8 @@ SpeciesDefinition readSpecies(const Entry& entry, bool count_required)
     required.insert("count");
   if (has_density)
     required.erase("mass");
-  const std::set<std::string> known = namesOf(MATERIAL_KEYS, namesOf(COEFFICIENT_KEYS, {"size"}));
+  const std::set<std::string> known =
+      namesOf(SHARE_KEYS, namesOf(MATERIAL_KEYS, namesOf(COEFFICIENT_KEYS, {"size"})));
   entry.requireKeys(namesOf(SPECIES_KEYS, known), required);
   SpeciesDefinition species;
   readValues(entry, SPECIES_KEYS, species);
@@ -168,14 +172,37 @@ bool placesDisks(const Entry& root)
   return root.has("initial") && !root.at("initial").list().empty();
 }
 
-void readBase(const Entry& root, BaseDefinition& base)
+/// As many as fit the length best. @throws SceneError
+int teethOf(const Entry& entry, double length, double tooth_width, std::vector<std::string>& warnings)
 {
-  if (!readSection(root, "base", base, {"harmonics"}, BASE_KEYS))
+  constexpr double ROUNDING = 1e-9;  ///< of products and quotients of lengths that were written as decimals
+  const double teeth = std::round(length / tooth_width);
+  if (!teethRange().holds(teeth))
+    entry.refuseValue("must be that of " + teethRange().values() + " teeth, each " + scalarText(tooth_width) +
+                      " m wide");
+  if (std::abs(teeth * tooth_width - length) > ROUNDING * length)
+    warnings.push_back(
+        withId(fmt::format("base.length = {:.6g} m is rounded to {} teeth of {:.6g} m: {:.6g} m", length,
+                           static_cast<int>(teeth), tooth_width, teeth * tooth_width),
+               "rounded-length"));
+  return static_cast<int>(teeth);
+}
+
+void readBase(const Entry& root, Scene& scene)
+{
+  BaseDefinition& base = scene.definition.base;
+  if (!readSection(root, "base", base, namesOf(LENGTH_KEYS, {"harmonics"}), BASE_KEYS))
     return;
   const Entry section = root.at("base");
-  for (const std::string& name : SAWTOOTH_KEYS)
-    if (section.has("profile") && section.has(name))
-      section.at(name).refuse("must be absent because base.profile gives the tooth");
+  for (const Replacement& replacement : baseReplacements())
+    for (const std::string& name : replacement.others)
+      if (section.has(replacement.key) && section.has(name))
+        section.at(name).refuse(std::string("must be absent because base.") + replacement.key + " gives " +
+                                replacement.gives);
+  double length = 0.0;
+  readValues(section, LENGTH_KEYS, length);
+  if (section.has("length"))
+    base.teeth = teethOf(section.at("length"), length, base.toothWidth(), scene.warnings);
   if (!section.has("harmonics"))
     return;
   for (const Entry& entry : entriesOf(section.at("harmonics"), MOST_HARMONICS, "harmonics"))
@@ -234,14 +261,15 @@ void readFeed(const Entry& root, FeedDefinition& feed)
     section.at("side").refuse("needs feed.file");
 }
 
-void readRoot(const Entry& root, SceneDefinition& scene)
+void readRoot(const Entry& root, Scene& whole)
 {
+  SceneDefinition& scene = whole.definition;
   const std::set<std::string> parts = {"base", "species", "pairs",    "contact",       "pour",
                                        "feed", "initial", "accuracy", "height_profile"};
   root.requireKeys(namesOf(MOTION_KEYS, namesOf(DENSITY_KEYS, namesOf(RUN_KEYS, parts))), {"species"});
   readValues(root, MOTION_KEYS, scene);
   readValues(root, RUN_KEYS, scene);
-  readBase(root, scene.base);
+  readBase(root, whole);
   readSection(root, "contact", scene.contact, {}, CONTACT_KEYS);
   readSection(root, "pour", scene.pour, {}, POUR_KEYS);
   readFeed(root, scene.feed);
@@ -257,7 +285,7 @@ Scene sceneFromYaml(const YAML::Node& node, const std::string& source)
   {
     Scene scene;
     const Entry root(node, source);
-    readRoot(root, scene.definition);
+    readRoot(root, scene);
     const bool count_required =
         !root.has("density") && !placesDisks(root) && scene.definition.feed.rate <= 0.0 && !listsFeed(root);
     const SpeciesIndex index = readAllSpecies(root, count_required, scene.definition);

@@ -24,6 +24,35 @@ void warnOfCounts(const Entry& root, const std::string& winner, bool none_poured
           withId(entries[i].keyOf("count") + " is ignored because " + winner, "ignored-count"));
 }
 
+/// Shares by mass over the mean masses, relative to that of the species with the most disks: none is larger
+/// than those given, and of equal masses they are those given.
+void sharesByNumber(const Entry& root, std::vector<SpeciesDefinition>& species)
+{
+  const std::vector<Entry> entries = root.at("species").list();
+  std::vector<SizeShare> by(entries.size(), SizeShare::NUMBER);
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    readValues(entries[i], SHARE_KEYS, by[i]);
+    if (by[i] != by[0])
+      entries[by[0] == SizeShare::MASS ? 0 : i]
+          .at("share_by")
+          .refuseValue("must be the same for all species; that of " +
+                       species[by[0] == SizeShare::MASS ? i : 0].name + " is number");
+  }
+  if (by[0] == SizeShare::NUMBER)
+    return;
+  std::vector<double> masses;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < species.size(); ++i)
+  {
+    masses.push_back(meanMass(species[i]));
+    if (species[i].share * masses[most] > species[most].share * masses[i])
+      most = i;
+  }
+  for (std::size_t i = 0; i < species.size(); ++i)
+    species[i].share *= masses[most] / masses[i];
+}
+
 void splitDensity(const Entry& root, SceneDefinition& scene)
 {
   double density = 0.0;
@@ -222,6 +251,7 @@ void resolveCounts(const Entry& root, Scene& scene)
 {
   sizesAreSound(root, scene.definition);
   SceneDefinition& definition = scene.definition;
+  sharesByNumber(root, definition.species);
   if (!definition.initial.empty())
   {
     if (root.has("density"))

@@ -71,6 +71,18 @@ Range massRange()
   return between(SMALLEST_MASS, LARGEST_MASS, "kg");
 }
 
+Range teethRange()
+{
+  return between(1, MOST_TEETH);
+}
+
+const std::vector<Replacement>& baseReplacements()
+{
+  static const std::vector<Replacement> replacements = {{"profile", SAWTOOTH_KEYS, "the tooth"},
+                                                        {"length", {"teeth"}, "the number of teeth"}};
+  return replacements;
+}
+
 const Keys<SceneDefinition> MOTION_KEYS = {
     {"boundary", [](auto& s) -> Slot { return &s.boundary; }, ANY,
      "What happens to a disk at an end of the base: it enters at the other end (periodic), it "
@@ -102,7 +114,7 @@ const Keys<double> DENSITY_KEYS = {
 };
 
 const Keys<BaseDefinition> BASE_KEYS = {
-    {"teeth", [](auto& b) -> Slot { return &b.teeth; }, between(1, MOST_TEETH),
+    {"teeth", [](auto& b) -> Slot { return &b.teeth; }, teethRange(),
      "Number of teeth L; the base is L times tooth_width wide."},
     {"tooth_width", [](auto& b) -> Slot { return &b.tooth_width; },
      between(SMALLEST_LENGTH, LARGEST_LENGTH, "m"), "Width w of a tooth."},
@@ -138,6 +150,11 @@ const Keys<BaseDefinition> BASE_KEYS = {
      Presence::ADDED, "-"},
 };
 
+const Keys<double> LENGTH_KEYS = {
+    {"length", [](auto& length) -> Slot { return &length; }, between(SMALLEST_LENGTH, LARGEST_WIDTH, "m"),
+     "Length of the base in place of teeth, rounded to whole teeth.", Presence::OPTIONAL, "-"},
+};
+
 const std::set<std::string> SAWTOOTH_KEYS = {"tooth_width", "tooth_height", "asymmetry"};
 
 const Keys<HarmonicDefinition> HARMONIC_KEYS = {
@@ -161,7 +178,8 @@ const Keys<SpeciesDefinition> SPECIES_KEYS = {
      "density or initial, which replace it.",
      Presence::OPTIONAL, "-"},
     {"share", [](auto& s) -> Slot { return &s.share; }, upTo(LARGEST_SHARE),
-     "Weight of the species in the split of density and among the disks that are fed."},
+     "Weight of the species among the disks that are fed or that density pours: a share by number, unless "
+     "share_by is mass."},
     {"radius", [](auto& s) -> Slot { return &s.radius; }, between(SMALLEST_LENGTH, LARGEST_LENGTH, "m"),
      "Radius r; with a size, that of a disk of mass m; a disk must fit into the base, and the smallest "
      "must not be too small for double "
@@ -171,6 +189,13 @@ const Keys<SpeciesDefinition> SPECIES_KEYS = {
      Presence::REQUIRED},
     {"inertia_factor", [](auto& s) -> Slot { return &s.inertia_factor; }, between(SMALLEST_INERTIA, 1.0),
      "Moment of inertia over m r^2; 0.5: a uniform disk."},
+};
+
+const Keys<SizeShare> SHARE_KEYS = {
+    {"share_by", [](auto& by) -> Slot { return &by; }, ANY,
+     "Whether the shares are those of the disks or of their mass, by the mean mass of a disk of each "
+     "species; "
+     "the same for all species."},
 };
 
 const Keys<double> MATERIAL_KEYS = {

@@ -55,9 +55,11 @@ extern const Keys<SceneDefinition> MOTION_KEYS;  ///< at the root, decide how th
 extern const Keys<SceneDefinition> RUN_KEYS;     ///< at the root, decide only what part of it is run
 extern const Keys<double> DENSITY_KEYS;          ///< at the root; not stored, but split into counts
 extern const Keys<BaseDefinition> BASE_KEYS;
+extern const Keys<double> LENGTH_KEYS;  ///< of the base; not stored, but turned into its number of teeth
 extern const std::set<std::string> SAWTOOTH_KEYS;     ///< those of the base that base.profile replaces
 extern const Keys<HarmonicDefinition> HARMONIC_KEYS;  ///< of an entry of base.harmonics
 extern const Keys<SpeciesDefinition> SPECIES_KEYS;
+extern const Keys<SizeShare> SHARE_KEYS;        ///< of a species; not stored: shares become those by number
 extern const Keys<double> MATERIAL_KEYS;        ///< of a species; not stored, but turned into its mass
 extern const Keys<SizeDefinition> SIZE_KEYS;    ///< of a species' size
 extern const Keys<SizeDefinition> SPREAD_KEYS;  ///< of one with a spread
@@ -75,6 +77,18 @@ extern const Keys<AccuracyDefinition> CERTAINTY_KEYS;  ///< of accuracy, decide 
 
 /// Of the mass of a disk.
 Range massRange();
+
+/// Of the number of teeth.
+Range teethRange();
+
+/// A key of the base that stands in place of others.
+struct Replacement
+{
+  const char* key;
+  std::set<std::string> others;
+  const char* gives;
+};
+const std::vector<Replacement>& baseReplacements();
 
 constexpr double SMALLEST_LENGTH = 1e-9;  ///< of any part of a scene [m]
 
@@ -149,9 +163,9 @@ std::string forEachRow(const Entry& feed, const std::set<std::string>& columns,
 /// Of a ball of a radius [m] [m^3].
 double ballVolume(double radius);
 
-/// Determines how many disks of each species are poured: splits a density d = S / W (eq. 1 of the
-/// paper) into counts in proportion to the shares, N_k = share_k d W / sum_j(share_j 2 r_j),
-/// rounded; pours none where `initial` places them. Warns of counts that are ignored.
+/// Turns shares by mass into shares by number, then determines how many disks of each species are poured:
+/// splits a density d = S / W (eq. 1 of the paper) into counts in proportion to the shares, N_k = share_k d W
+/// / sum_j(share_j 2 r_j), rounded; pours none where `initial` places them. Warns of counts that are ignored.
 /// @throws SceneError
 void resolveCounts(const Entry& root, Scene& scene);
 

@@ -65,6 +65,15 @@ void expectDistribution(const SpeciesDefinition& species, const std::function<do
   const double mean = sum / COUNT;
   const double deviation = std::sqrt(squares / COUNT - mean * mean);
   EXPECT_NEAR(sizes.meanRadius(), mean, 4.0 * deviation / std::sqrt(COUNT));
+  const double mass = meanMass(species);
+  double masses = 0.0;
+  double mass_squares = 0.0;
+  for (const double radius : radii)
+  {
+    masses += species.massOf(radius);
+    mass_squares += species.massOf(radius) * species.massOf(radius);
+  }
+  EXPECT_NEAR(mass, masses / COUNT, 4.0 * std::sqrt(mass_squares) / COUNT);
   EXPECT_NEAR(sizes.meanSquare(), squares / COUNT, 8.0 * sizes.largest() * deviation / std::sqrt(COUNT));
 }
 

@@ -78,7 +78,11 @@ def test_more_runs_make_a_surface_surer_and_leave_it_where_it_is():
     ({THETA: (0.0, 0.2)}, {"species": TWINS[:1]}, "species: A is alone: there is nothing to separate it from"),
     ({THETA: (0.0, 0.2)}, {"boundary": "periodic", "feed": {"rate": 0.0}, "density": 1.0,
                            "species": [*TWINS, {**TWINS[0], "name": "C"}]},
-     "species: must be two, which are to be separated; there are 3: give a goal, such as purity.left.mass.A"),
+     "species: must be two, which are to be separated; there are 3: give a goal, one of mean_vx.A, mean_vx.B, mean_vx.C"),
+    ({THETA: (0.0, 0.2)}, {"species": [*TWINS, {**TWINS[0], "name": "C"}]},
+     "species: must be two, which are to be separated; there are 3: give a goal, one of purity.left.mass.A, "
+     "purity.right.mass.A, purity.left.mass.B, purity.right.mass.B, purity.left.mass.C, purity.right.mass.C; or with "
+     "recovery in place of purity"),
     ({"duration": (1, 10)}, {}, "over['duration']: must be a key whose value is a number, other than seed, duration, settle"),
     ({"species.0.name": (0, 1)}, {},
      "over['species.0.name']: must be a key whose value is a number, other than seed, duration, settle"),
@@ -137,17 +141,50 @@ def test_products_add_up(answer):
     assert answer.throughput.mass_per_depth.value == pytest.approx(answer.throughput.mass.value / 0.003, rel=0.05)
 
 
+def test_it_says_which_way_and_products_beside_the_feed(answer):
+    lines = str(answer).splitlines()
+    to_left, to_right = "AB" if answer.separation.value > 0.0 else "BA"
+    assert f"{to_right} goes " in lines[0] and f" the right, {to_left} " in lines[0] and lines[0].endswith(" the left")
+    left = answer.recovery.left.number
+    assert ("more" not in lines[0]) == (left[to_left].value > 0.5 > left[to_right].value)
+    assert answer.feed.number == {"A": 0.5, "B": 0.5} and answer.feed.mass.A == pytest.approx(10.0 / 11.0)
+    assert lines[3].startswith(f"left: A purity {answer.purity.left.mass.A} by mass (feed 0.91), "
+                               f"{answer.purity.left.number.A} by number (feed 0.5); recovery ")
+    assert answer.plot().get_ylabel() == "separation $s$, above 0: more A to the left"
+
+
+def test_a_batch_takes_its_time_and_loses_nothing(answer):
+    batch = answer.batch(10)
+    flow = answer.throughput.mass_per_depth
+    assert batch.hours.value * 3600.0 * flow.value == pytest.approx(10.0)
+    assert batch.hours.half_width / batch.hours.value == pytest.approx(flow.half_width / flow.value)
+    assert sum(mass.value for side in batch.products.values() for mass in side.values()) == pytest.approx(10.0)
+    for side in ("left", "right"):
+        of_side = sum(mass.value for mass in batch.products[side].values())
+        purity = answer.purity[side].mass.A
+        assert abs(batch.products[side].A.value / of_side - purity.value) < 2.0 * purity.half_width + 0.01
+    assert str(batch).splitlines()[0] == f"10 kg per metre of depth: {batch.hours} h"
+    assert answer.batch(20).products.left.A.half_width == pytest.approx(2.0 * batch.products.left.A.half_width)
+    for kilograms in (0, -1.0, float("nan"), "10 kg"):
+        with pytest.raises(ValueError, match="kilograms"):
+            answer.batch(kilograms)
+
+
 def test_the_floor_is_checked_at_the_best(answer):
     floor = answer.floor
     assert floor["to"] == 0.5 * floor["from"] and not floor.depends and floor.change.half_width < 0.1
 
 
-def test_the_same_kinds_are_not_separated():
+def test_the_same_kinds_are_not_separated(tmp_path):
     found = rs.separate(changed(species=TWINS), {THETA: (0.0, 0.4)}, within=0.1)
     assert found.best is None and not found.separated and found.bound < 0.05
     assert str(found).startswith("not separated: |separation| < 0.0")
     with pytest.raises(ValueError, match="nothing is separated"):
         found.scene
+    found.write(tmp_path / "twins.html")
+    page = (tmp_path / "twins.html").read_text(encoding="utf-8")
+    assert "not separated: |separation| &lt; 0.0" in page and "<table" not in page and "<img" not in page
+    assert found.plot().get_title() == str(found).splitlines()[0]
 
 
 def test_a_closed_machine_is_judged_by_its_drifts():
@@ -155,6 +192,11 @@ def test_a_closed_machine_is_judged_by_its_drifts():
     found = rs.separate(ring, {THETA: (0.0, 0.1)}, within=0.02)
     assert found.machine.goal == "difference of mean_vx" and found.purity is None
     assert "m/s" in str(found)
+    if found.separated:
+        first, second = "AB" if found.separation.value > 0.0 else "BA"
+        assert str(found).splitlines()[0].endswith(f": {first} drifts to the right of {second}")
+    with pytest.raises(ValueError, match="batch: there are no runs of an open machine"):
+        found.batch(10)
 
 
 def test_a_goal_is_any_column_and_another_seed_has_runs_of_its_own(answer):
@@ -168,6 +210,15 @@ def test_a_goal_must_be_a_number_of_the_results():
     for goal in ("purity.left.mass.Z", "host", "seed"):
         with pytest.raises(ValueError, match=f"goal = '{goal}': must be a column of numbers"):
             rs.separate(SCENE, {THETA: (0.0, 0.4)}, goal=goal, within=0.05)
+
+
+def test_a_tooth_is_searched_on_a_base_of_one_length():
+    scene = changed(base={"length": 0.16})
+    machine = Machine(scene, {"base.tooth_width": (0.016, 0.04)})
+    rows = machine.run(np.array([[0.0], [1.0]]), [1.0, 1.0], (1, 1))
+    assert [machine.scene.replace({"base.tooth_width": width})["base.teeth"] for width in rows["base.tooth_width"]] == [10, 4]
+    machine = Machine(SCENE, {"base.length": (0.1, 0.3)})
+    assert sorted(machine.run(np.array([[0.0], [1.0]]), [1.0, 1.0], (1, 1))["base.length"]) == [0.1, 0.3]
 
 
 def test_whole_numbers_are_run_once_each():

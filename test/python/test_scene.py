@@ -113,6 +113,40 @@ def test_copies_are_equal(scene):
     assert scene.replace(seed=8).hash == scene.hash
 
 
+KINDS = [{"name": "A", "radius": 0.001, "mass": 0.010, "share": 3, "share_by": "mass"},
+         {"name": "B", "radius": 0.002, "mass": 0.001, "share": 1, "share_by": "mass",
+          "size": {"distribution": "uniform", "spread": 0.5}}]
+
+
+def test_what_is_fed_or_poured_is_told_by_number_and_by_mass():
+    fed = rs.Scene({"species": KINDS, "feed": {"rate": 10}})
+    assert fed.composition.mass == pytest.approx({"A": 0.75, "B": 0.25})
+    counts = np.array([3.0 / 0.010, 1.0 / (0.001 * 1.25)])  # of a uniform spread s the mean of r^3 is 1 + s^2
+    assert list(fed.composition.number.values()) == pytest.approx(list(counts / counts.sum()), rel=1e-4)
+    poured = fed.replace({"feed": None, "density": 2.0})
+    assert poured.composition.mass.A == pytest.approx(0.75, abs=0.01)
+    listed = fed.replace({"feed": {"disks": [{"time": 1, "species": "A", "radius": 0.001, "mass": 0.3},
+                                             {"time": 2, "species": "B", "radius": 0.001, "mass": 0.1}]}})
+    assert listed.composition.number == {"A": 0.5, "B": 0.5}
+    assert listed.composition.mass == pytest.approx({"A": 0.75, "B": 0.25})
+    placed = fed.replace({"feed": None, "initial": [{"species": "A", "x": 0.1, "y": 0.1}]})
+    assert placed.composition.number == {"A": 1.0, "B": 0.0}
+    with pytest.warns(rs.SieveWarning):
+        none = fed.replace({"feed.rate": 0, "species.0.count": 0, "species.1.count": 0})
+    assert none.composition.mass.A is None
+
+
+def test_shares_by_mass_are_those_of_the_mass_that_is_fed():
+    table = {"distribution": "table", "radii": [0.001, 0.003], "weights": [10, 90], "by": "mass"}
+    kinds = [{**KINDS[0], "share": 1}, {**KINDS[1], "size": table}]
+    simulation = rs.Simulation(rs.Scene({"base": {"teeth": 200}, "species": kinds, "feed": {"rate": 2000},
+                                         "contact": {"pair_collisions": False}}))
+    simulation.advance(10.0)
+    disks = simulation.disks
+    mass = [disks["mass"][disks["species"] == k].sum() for k in range(2)]
+    assert len(disks) > 19000 and mass[0] / sum(mass) == pytest.approx(0.5, abs=0.02)
+
+
 def test_the_outline_is_of_all_teeth(scene):
     outline = scene.outline
     assert outline.shape == (13, 2)

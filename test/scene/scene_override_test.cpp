@@ -41,11 +41,22 @@ TEST(SceneOverride, OfAProfileReplacesTheSawtoothUntilItIsTakenOut)
   EXPECT_EQ(base.toothWidth(), 0.03);
   EXPECT_EQ(base.outline().size(), 3u);
   for (const std::string key : {"base.tooth_width", "base.tooth_height", "base.asymmetry"})
-    EXPECT_EQ(refusalOfOverrides({profile, key + "=0.01"}),
-              "override " + key +
-                  "=0.01: base.profile gives the tooth; for a sawtooth take it out first, with "
-                  "base.profile=null");
+    EXPECT_EQ(
+        refusalOfOverrides({profile, key + "=0.01"}),
+        "override " + key + "=0.01: base.profile gives the tooth; take it out first, with base.profile=null");
   EXPECT_EQ(overridden({profile, "base.profile=null", "base.tooth_width=0.01"}).base.toothWidth(), 0.01);
+}
+
+TEST(SceneOverride, OfALengthReplacesTheTeethUntilItIsTakenOut)
+{
+  EXPECT_EQ(overridden({"base.length=0.6"}).base.teeth, 30);
+  EXPECT_EQ(overridden({"base.length=0.6", "base.tooth_width=0.03"}).base.teeth, 20);
+  EXPECT_EQ(overridden({"base.length=0.6", "base.profile=[[0, 0], [0.01, 0.004], [0.05, 0]]"}).base.teeth,
+            12);
+  EXPECT_EQ(refusalOfOverrides({"base.length=0.6", "base.teeth=7"}),
+            "override base.teeth=7: base.length gives the number of teeth; take it out first, with "
+            "base.length=null");
+  EXPECT_EQ(overridden({"base.length=0.6", "base.length=null", "base.teeth=7"}).base.teeth, 7);
 }
 
 TEST(SceneOverride, ThatIsWrongIsRefused)

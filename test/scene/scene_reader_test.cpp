@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "ratchet_sieve/scene/canonical_scene.h"
 #include "scene_texts.h"
 
 namespace ratchet_sieve
@@ -111,6 +112,67 @@ density: 1.0
 )");
   EXPECT_EQ(scene.definition.species[0].count, 120);
   EXPECT_EQ(scene.definition.species[1].count, 40);
+}
+
+/// 3 kg of A to 1 kg of B: 3 / 0.01 to 1 / 0.001 disks, 3 to 10; S = 0.4 m, 46 mm for 13 disks.
+TEST(SceneReader, TurnsSharesByMassIntoSharesByNumber)
+{
+  const Scene scene = read(R"(
+species:
+  - {name: A, share: 3, share_by: mass, radius: 0.001, mass: 0.010}
+  - {name: B, share: 1, share_by: mass, radius: 0.002, mass: 0.001}
+density: 1.0
+)");
+  EXPECT_DOUBLE_EQ(scene.definition.species[0].share, 0.3);
+  EXPECT_EQ(scene.definition.species[1].share, 1.0);
+  EXPECT_EQ(scene.definition.species[0].count, 26);
+  EXPECT_EQ(scene.definition.species[1].count, 87);
+}
+
+/// By the mean mass of a disk: for a uniform distribution of r (1 - s) to r (1 + s) m (1 + s^2).
+TEST(SceneReader, TurnsSharesByMassOfSizesIntoSharesByNumber)
+{
+  const Scene scene = read(R"(
+species:
+  - {name: A, share: 1, share_by: mass, radius: 0.001, mass: 0.010}
+  - {name: B, share: 1, share_by: mass, radius: 0.001, mass: 0.010, size: {distribution: uniform, spread: 0.5}}
+  - {name: C, share: 0, share_by: mass, radius: 0.001, mass: 1e-18}
+feed: {rate: 10}
+)");
+  EXPECT_EQ(scene.definition.species[0].share, 1.0);
+  EXPECT_NEAR(scene.definition.species[1].share, 1.0 / 1.25, 1e-5);
+  EXPECT_EQ(scene.definition.species[2].share, 0.0);
+}
+
+/// Also where a disk has the smallest mass that is allowed: its text is read back.
+TEST(SceneReader, WritesSharesByMassAsThoseByNumber)
+{
+  const Scene scene = read(R"(
+species:
+  - {name: A, share: 1e9, share_by: mass, radius: 0.001, mass: 1e-18}
+  - {name: B, share: 1e-3, share_by: mass, radius: 0.002, mass: 1e6}
+feed: {rate: 10}
+)");
+  const std::string yaml = canonicalYaml(scene.definition);
+  EXPECT_EQ(yaml.find("share_by"), std::string::npos);
+  EXPECT_EQ(canonicalYaml(read(yaml).definition), yaml);
+}
+
+TEST(SceneReader, TakesTheNumberOfTeethFromALength)
+{
+  const std::string species = "species: [{name: A, count: 1, radius: 0.001, mass: 0.01}]\n";
+  const Scene exact = read("base: {length: 0.6, tooth_width: 0.025}\n" + species);
+  EXPECT_EQ(exact.definition.base.teeth, 24);
+  EXPECT_TRUE(exact.warnings.empty());
+  const Scene counted = read("base: {teeth: 24, tooth_width: 0.025}\n" + species);
+  EXPECT_EQ(sceneHash(exact.definition), sceneHash(counted.definition));
+  EXPECT_EQ(canonicalYaml(exact.definition), canonicalYaml(counted.definition));
+
+  const Scene rounded = read("base: {length: 0.6, tooth_width: 0.022}\n" + species);
+  EXPECT_EQ(rounded.definition.base.teeth, 27);
+  EXPECT_EQ(rounded.warnings,
+            std::vector<std::string>{
+                "base.length = 0.6 m is rounded to 27 teeth of 0.022 m: 0.594 m [rounded-length]"});
 }
 
 TEST(SceneReader, SplitsADensityByTheExpectedDiameters)

@@ -44,7 +44,7 @@ const Refusal SHAPES[] = {
     {"UnknownKeyInAList", "mass: 0.002", "weight: 0.002",
      "s.yaml:5: species.1.weight: unknown key; must be one of count, density, friction, inertia_factor, "
      "mass, "
-     "name, radius, restitution, share, size, tangential_restitution"},
+     "name, radius, restitution, share, share_by, size, tangential_restitution"},
     {"UnknownKeyInAHarmonic", "teeth: 20", "harmonics: [{multiple: 2, amplitud: 1}], teeth: 20",
      "s.yaml:1: base.harmonics.0.amplitud: unknown key; did you mean amplitude?"},
     {"MissingCount", "count: 10, ", "", "s.yaml:4: species.0.count: missing"},
@@ -53,6 +53,19 @@ const Refusal SHAPES[] = {
     {"DensityOfAHeavyDisk", "radius: 0.001, mass: 0.001", "radius: 100, density: 7800",
      "s.yaml:4: species.0.density = 7800: gives a mass of 32672563597.333847 kg; must be a number from 1e-18 "
      "to 1000000 kg"},
+    {"LengthBesideTeeth", "teeth: 20", "teeth: 20, length: 0.4",
+     "s.yaml:1: base.teeth: must be absent because base.length gives the number of teeth"},
+    {"LengthBelowATooth", "teeth: 20", "length: 0.0099",
+     "s.yaml:1: base.length = 0.0099: must be that of 1 to 1000000 teeth, each 0.02 m wide"},
+    {"LengthOfTooManyTeeth", "teeth: 20, tooth_width: 0.02", "length: 0.4, profile: [[0, 0], [1e-7, 0]]",
+     "s.yaml:1: base.length = 0.4: must be that of 1 to 1000000 teeth, each 1e-07 m wide"},
+    {"ShareByVolume", "count: 10, radius: 0.001", "count: 10, share_by: volume, radius: 0.001",
+     "s.yaml:4: species.0.share_by = volume: must be number or mass"},
+    {"SharesOfTwoSorts", "count: 10, radius: 0.002", "count: 10, share_by: mass, radius: 0.002",
+     "s.yaml:5: species.1.share_by = mass: must be the same for all species; that of A is number"},
+    {"SharesOfTwoSortsTheOtherWayRound", "count: 10, radius: 0.001",
+     "count: 10, share_by: mass, radius: 0.001",
+     "s.yaml:4: species.0.share_by = mass: must be the same for all species; that of B is number"},
     {"KeyTwiceInAMap", "teeth: 20", "teeth: 20, teeth: 21", "s.yaml:1: base.teeth: is given twice"},
     {"ListForAMap", "{teeth: 20, tooth_width: 0.02}", "[1, 2]", "s.yaml:1: base = a list: must be a map"},
     {"NothingForAMap", "{teeth: 20, tooth_width: 0.02}", "", "s.yaml:1: base = nothing: must be a map"},

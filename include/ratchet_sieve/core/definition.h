@@ -150,7 +150,7 @@ struct SpeciesDefinition
 {
   std::string name = "A";
   int count = 0;                ///< number of disks poured at the start
-  double share = 1.0;           ///< relative share when a density or a feed is split among the species
+  double share = 1.0;           ///< by number, when a density or a feed is split among the species
   double radius = 0.001;        ///< [m]
   double mass = 0.001;          ///< [kg]
   ContactCoefficients contact;  ///< with the base, and with disks of the same species

@@ -29,6 +29,9 @@ public:
     return mean([](double r) { return r * r; });
   }
 
+  /// Of a function of the radius, expected.
+  double mean(const std::function<double(double)>& of_radius) const;
+
   /// The bounds of a few classes of radii for counts and means, increasing: four equal steps of the radius,
   /// or of its logarithm if lognormal; those of a table, every few of them if there are many [m].
   std::vector<double> classEdges() const;
@@ -53,7 +56,6 @@ private:
   double radius(double x) const;
   double density(const Piece& piece, double x) const;
   double shareByNumber(const Piece& piece) const;
-  double mean(const std::function<double(double)>& of_radius) const;
 
   double radius_;
   SizeDefinition size_;
@@ -61,6 +63,9 @@ private:
   double smallest_;
   double largest_;
 };
+
+/// Of a disk of the species, expected [kg].
+double meanMass(const SpeciesDefinition& species);
 
 /// Disks of one species with radii from `smallest` on up to `largest`, which belongs to the next class, if
 /// there is one.

@@ -83,7 +83,7 @@ YAML::Node copyWithoutLines(const YAML::Node& node);
 std::vector<std::string> certaintyKeyNames();
 
 /// Sets KEY=VALUE in a YAML tree; KEY=null takes the key out of it. base.profile takes out the keys of the
-/// sawtooth. @throws SceneError
+/// sawtooth, base.length that of the teeth. @throws SceneError
 void applyOverride(YAML::Node& root, const std::string& assignment);
 
 /// As KEY=VALUE, the value given as a tree.

@@ -10,7 +10,8 @@ from typing import Any, Optional
 
 import pandas
 
-from ratchet_sieve.texts import at_most, counted, plus_minus, shown
+from ratchet_sieve.answers.products import Batch, batch_of
+from ratchet_sieve.texts import at_most, counted, plus_minus, shown, which_way
 from ratchet_sieve.values import Values
 
 PAGE = """<!DOCTYPE html>
@@ -19,9 +20,11 @@ PAGE = """<!DOCTYPE html>
 <style>body {{font: 16px/1.5 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em}}
 pre {{white-space: pre-wrap}} img {{max-width: 100%}} table {{border-collapse: collapse}}
 td, th {{padding: 0.1em 0.8em; text-align: right; border-bottom: 1px solid #ddd}}</style></head>
-<body><h1>{title}</h1><pre>{text}</pre><img alt="The surface over the ranges" src="data:image/png;base64,{picture}">
-<h2>Settings that are as good</h2>{table}</body></html>
+<body><h1>{title}</h1><pre>{text}</pre>{rest}</body></html>
 """
+REST = """<img alt="The surface over the ranges" src="data:image/png;base64,{picture}">
+<h2>Settings that are as good{first}</h2>{table}"""
+MOST_ROWS = 40  # of the page's table
 
 
 @dataclasses.dataclass(frozen=True)
@@ -60,6 +63,7 @@ class Answer:
                 disks `inside` while steady, and `warnings`
     inside      disks in a fed machine while it is steady
     stages      of next_stage(): products over all stages and their balance, see there
+    feed        what is fed: .number.A, .mass.A
     throughput  disks [1/s], mass [kg/s] of the one plane of disks, mass_per_depth [kg/(s m)]: planes side by side, each
                 as thick as the mean diameter `depth` [m]. None in a closed machine
     purity, recovery  .left.number.A and so on; None in a closed machine
@@ -101,6 +105,16 @@ class Answer:
             raise ValueError("nothing is separated: there is no best setting")
         return self.machine.scene.replace(self.best)
 
+    @property
+    def feed(self) -> Any:
+        """What is fed or poured: Scene.composition at the best settings, or of the scene where there are none."""
+        return self.machine._changed(self.best or {}).composition
+
+    def batch(self, kilograms: float) -> Batch:
+        """How long a batch takes [h], and its products [kg]. @param kilograms of the feed per metre of depth. Raises
+        ValueError where nothing is known of what leaves."""
+        return batch_of(self, kilograms)
+
     def __str__(self) -> str:
         return "\n".join(self._lines())
 
@@ -118,12 +132,9 @@ class Answer:
             at = ", ".join(f"{key} = {_with_unit(key, value)}" for key, value in (self.best or {}).items())
             source = f"95 %, {counted(self.separation.count, 'run')} with fresh seeds" if self.separation.count else \
                 "no interval: of the search's own runs"
-            lines = [f"{goal} {self.separation}{unit} ({source})", f"at {at}",
+            lines = [f"{goal} {self.separation}{unit} ({source})" + self._way(), f"at {at}",
                      f"as good: {self._region()}; the worst of them may lose {at_most(self.as_good.may_lose.max())}{unit}"]
-        for side in ("left", "right") if self.best and self.purity else ():
-            lines.append(f"{side}: " + "; ".join(
-                f"{name} purity {self.purity[side].number[name]}, recovery {self.recovery[side].number[name]}"
-                for name in self.machine.scene.species))
+            lines += self._products() if self.purity else []
         if self.best and self.throughput:
             per = self.throughput
             lines.append(f"throughput {per.disks} disks/s; {_grams(per.mass)} g/s in one plane of disks; "
@@ -139,6 +150,23 @@ class Answer:
         lines.append(f"cost: {counted(self.cost.runs, 'run')}, {self.cost.simulated:.4g} s simulated, "
                      f"{self.cost.processor:.3g} s of processor time")
         return lines + [f"warning: {text}" for text in self.warnings]
+
+    def _way(self) -> str:
+        """Which way the sign is."""
+        if not self.machine.is_signed:
+            return ""
+        names, value = self.machine.scene.species, self.separation.value
+        if self.machine.kind == "closed":  # of velocities: above 0 the first is the faster one to the right
+            return f": {names[value < 0.0]} drifts to the right of {names[value > 0.0]}"
+        left = [self.recovery.left.number[name] for name in names] if self.recovery else [None]
+        return ": " + which_way(value, names, [share.value for share in left] if all(left) else None)
+
+    def _products(self) -> list[str]:
+        feed = self.feed
+        return [f"{side}: {name} purity {_text(self.purity[side].mass[name])} by mass (feed {feed.mass[name]:.2g}), "
+                f"{_text(self.purity[side].number[name])} by number (feed {feed.number[name]:.2g}); recovery "
+                f"{_text(self.recovery[side].mass[name])} by mass, {_text(self.recovery[side].number[name])} by number"
+                for side in ("left", "right") for name in self.machine.scene.species]
 
     def _region(self) -> str:
         part = len(self.as_good) / max(len(self.map), 1)
@@ -174,8 +202,8 @@ class Answer:
 
     def as_json(self) -> dict:
         """As `sieve_separate --json` writes it; what is undefined is None."""
-        names = ("best", "separation", "separated", "bound", "throughput", "purity", "recovery", "inside", "floor",
-                 "stages", "warnings", "cost")
+        names = ("best", "separation", "separated", "bound", "throughput", "feed", "purity", "recovery", "inside",
+                 "floor", "stages", "warnings", "cost")
         return {"goal": self.machine.goal, "within": self.within,
                 **{name: _plain(getattr(self, name)) for name in names},
                 "as_good": json.loads(self.as_good.to_json(orient="records", double_precision=6))}
@@ -188,14 +216,18 @@ class Answer:
             ".json": lambda: json.dumps(self.as_json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n"}, self.plot)
 
     def _page(self) -> str:
+        return PAGE.format(title=html.escape(f"Which settings part {' and '.join(self.machine.scene.species)}"),
+                           text=html.escape(str(self)), rest=self._map_and_table() if self.best else "")
+
+    def _map_and_table(self) -> str:
         from ratchet_sieve.plots.style import styled
 
-        picture = io.BytesIO()
+        picture, rows = io.BytesIO(), len(self.as_good)
         with styled():
             self.plot().figure.savefig(picture, format="png", dpi=150, bbox_inches="tight")
-        return PAGE.format(title=html.escape(f"Which settings part {' and '.join(self.machine.scene.species)}"),
-                           text=html.escape(str(self)), picture=base64.b64encode(picture.getvalue()).decode(),
-                           table=self.as_good.to_html(index=False, float_format="{:.4g}".format))
+        return REST.format(picture=base64.b64encode(picture.getvalue()).decode(),
+                           first=f": the first {MOST_ROWS} of {rows}" if rows > MOST_ROWS else "",
+                           table=self.as_good.head(MOST_ROWS).to_html(index=False, float_format="{:.4g}".format))
 
 
 def _with_unit(key: str, value: float) -> str:
@@ -203,6 +235,10 @@ def _with_unit(key: str, value: float) -> str:
 
     unit = plain_label(key)[1]
     return f"{value:g} {unit}".rstrip()
+
+
+def _text(interval: Optional[Interval]) -> str:
+    return "undefined" if interval is None else str(interval)
 
 
 def _grams(interval: Interval) -> Interval:

@@ -112,8 +112,11 @@ class Machine:
         if len(species) < 2:
             raise ValueError(f"species: {species[0]} is alone: there is nothing to separate it from")
         if self.is_signed and len(species) > 2:
+            goals = [f"mean_vx.{name}" for name in species] if self.kind == "closed" else \
+                [f"purity.{side}.mass.{name}" for name in species for side in ("left", "right")]
             raise ValueError(f"species: must be two, which are to be separated; there are {len(species)}: give a goal, "
-                             f"such as purity.left.mass.{species[0]}")
+                             f"one of {', '.join(goals)}" + ("" if self.kind == "closed" else
+                                                             "; or with recovery in place of purity"))
 
     def settings(self, place):
         """@param place (d,) from 0 to 1 within the ranges. @return the value of each key"""

@@ -17,6 +17,8 @@ def draw(answer, axes=None):
         keys = answer.machine.keys
         {1: _curve, 2: _map}.get(len(keys), _points)(axes, answer, *keys[:2])
         axes.set_xlabel(label(keys[0]))
+        if not answer.separated:
+            axes.set_title(str(answer).splitlines()[0])
         return axes
 
 
@@ -57,14 +59,18 @@ def _curve(axes, answer, key):
                       markersize=9, capsize=2, zorder=5, label="fresh seeds")
     axes.plot(answer.runs[key], answer.seen.value, ".", label="runs", **RUNS)
     _silent(axes, answer, key)
-    axes.set_ylabel(label(answer.machine.goal))
+    axes.set_ylabel(_goal(answer))
     axes.legend()
+
+
+def _goal(answer):
+    return label(answer.machine.goal, answer.machine.scene.species)
 
 
 def _map(axes, answer, x, y):
     table = answer.map.pivot(index=y, columns=x, values="value")
     xs, ys = table.columns.to_numpy(float), table.index.to_numpy(float)
-    value_map(axes, _edges(xs), _edges(ys), table.to_numpy(), label(answer.machine.goal))
+    value_map(axes, _edges(xs), _edges(ys), table.to_numpy(), _goal(answer))
     works = answer.seen.why == ""
     axes.plot(answer.runs[x][works], answer.runs[y][works], ".", label="runs", **RUNS)
     _silent(axes, answer, x, y)
@@ -83,7 +89,7 @@ def _points(axes, answer, key, *_):
     axes.plot(answer.runs[key], answer.seen.value, ".", label="runs", **RUNS)
     if answer.best:
         _best(axes, answer.best[key], answer.separation.value)
-    axes.set_ylabel(label(answer.machine.goal))
+    axes.set_ylabel(_goal(answer))
     axes.legend()
 
 

@@ -6,8 +6,8 @@ import warnings
 
 from ratchet_sieve.plots.maps import shown
 from ratchet_sieve.plots.means import of_all
-from ratchet_sieve.tables import Refusal, Rows, rows_of
-from ratchet_sieve.texts import counted
+from ratchet_sieve.tables import Refusal, Rows, rows_of, species_of
+from ratchet_sieve.texts import counted, which_way
 
 ARGUMENTS = re.compile(r'(.*?) ?(?:--seed (\d+))?')  # of a case
 FLOOR = 'contact.min_rebound_speed'
@@ -53,12 +53,21 @@ def mean_text(rows):
     return f"{mean.value:.3f} {over}, P {of_all(rows, 'processed'):.2f}, {disks} counted"
 
 
+def way_of(group):
+    """Where the two kinds go there."""
+    names, separation = species_of(group.frame), group.mean('separation')
+    if len(names) != 2 or not separation:
+        return ''
+    left = [group.mean(f'recovery.left.number.{name}') for name in names]
+    return '; ' + which_way(separation.value, names, [share.value for share in left] if all(left) else None)
+
+
 def best_text(setting, group, at_edge):
     text = f"{mean_text(group)}: {' '.join(map('='.join, assignments(setting).items())) or 'the scene itself'}"
     mean = group.mean('quality')
     if mean.error is not None and mean.value <= mean.half_width():
         return f'not separated: the interval of 95 % contains 0 even at the largest mean Q, {text}'
-    return f'best mean Q {text}' + (f"; at the grid's edge in {', '.join(at_edge)}" if at_edge else '')
+    return f'best mean Q {text}{way_of(group)}' + (f"; at the grid's edge in {', '.join(at_edge)}" if at_edge else '')
 
 
 def findings_of(rows, ended, keys, sweep, limits):

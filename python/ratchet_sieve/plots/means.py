@@ -4,6 +4,7 @@ import math
 
 from ratchet_sieve.plots.curves import curve, end_labels, key_colours
 from ratchet_sieve.plots.maps import mark_cells, shown, value_map
+from ratchet_sieve.tables import species_of
 from ratchet_sieve.values import unit_of
 
 SMALLEST_DIFFERENCE = 1e-6  # of an axis: steps that differ by a smaller part are taken as equal
@@ -19,16 +20,23 @@ LABELS = {
 }
 
 
-def label(name):
+def label(name, species=()):
+    """@param species of two the separation's label says which way its sign is"""
     if name is None:
         return ''
+    if name == 'separation' and len(species) == 2:
+        return f'separation $s$, above 0: more {species[0]} to the left'
+    if name == 'difference of mean_vx' and len(species) == 2:
+        return f'difference of mean_vx [m/s], above 0: {species[0]} to the right'
     if name.startswith('mean_vx.'):
         return rf"$\langle V_x \rangle$ of {name.split('.', 1)[1]} [m/s]"
     return LABELS.get(name, name)
 
 
-def plain_label(name):
+def plain_label(name, species=()):
     """A label without the signs of mathtext. @return it, and its unit"""
+    if name == 'separation':
+        return label(name, species).replace('$', ''), ''
     if name.startswith('mean_vx.'):
         return f"\u27e8V_x\u27e9 of {name.split('.', 1)[1]}", 'm/s'
     if name not in LABELS:
@@ -63,6 +71,7 @@ class Means:
         self.counts = {place: len(group) for place, group in groups.items()}
         self.below = {place for place, group in groups.items() if not limits.hold(group)}
         self.best = best
+        self.species = species_of(rows.frame)
         self.at = {(field, place): group.mean(field) for field in fields for place, group in groups.items()}
         self.xs = rows.values(x)
         self.ys = rows.values(y) if y else [None]
@@ -100,7 +109,7 @@ def draw_curves(axes, means, field, x, y):
             mark_curve(axes, means, dict(zip(means.xs, places)), other, colour)
     end_labels(axes, ends, label(y))
     axes.set_xlabel(label(x))
-    axes.set_ylabel(label(field))
+    axes.set_ylabel(label(field, means.species))
 
 
 def mark_curve(axes, means, places, other, colour):
@@ -124,7 +133,8 @@ def cells(axis, values):
 
 def draw_map(axes, means, field, x, y):
     (x_edges, xs), (y_edges, ys) = cells(axes.xaxis, means.xs), cells(axes.yaxis, means.ys)
-    value_map(axes, x_edges, y_edges, [[means.value(field, u, v) for u in means.xs] for v in means.ys], label(field))
+    value_map(axes, x_edges, y_edges, [[means.value(field, u, v) for u in means.xs] for v in means.ys],
+              label(field, means.species))
     if field == 'quality':
         mark_cells(axes, x_edges, y_edges, [(means.xs.index(u), means.ys.index(v)) for u, v in means.below])
         if means.best:

@@ -70,7 +70,7 @@ def choose_axes(options, keys, rows):
 
 
 def default_fields(rows):
-    wanted = ['quality', 'processed', 'throughput'] + [name for name in rows.frame if name.startswith('mean_vx.')]
+    wanted = ['quality', 'separation', 'processed', 'throughput'] + [name for name in rows.frame if name.startswith('mean_vx.')]
     fields = [field for field in wanted if rows.samples(field)]
     if not fields:
         raise Refusal('no field is defined in any case')

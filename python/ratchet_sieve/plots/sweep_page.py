@@ -7,8 +7,8 @@ from ratchet_sieve.plots.findings import setting_and_seed
 from ratchet_sieve.plots.means import plain_label
 
 
-def labelled(name):
-    return dict(zip(('label', 'unit'), plain_label(name)))
+def labelled(name, species=()):
+    return dict(zip(('label', 'unit'), plain_label(name, species)))
 
 
 def pages_of(directory, base):
@@ -49,6 +49,6 @@ def report_of(means, keys, texts, findings, pages):
             'least_processed': findings['least_processed'], 'least_counted': findings['least_counted'],
             'x': {'key': x, **labelled(x), 'values': list(means.xs)},
             'y': {'key': y, **labelled(y), 'values': list(means.ys)} if y else None,
-            'fields': [{'name': name, **labelled(name)} for name in means.fields],
+            'fields': [{'name': name, **labelled(name, means.species)} for name in means.fields],
             'best': best and {'x': means.xs.index(best[0]), 'y': means.ys.index(best[1])},
             'places': list(places_of(means, pages))}

@@ -159,6 +159,11 @@ double Sizes::mean(const std::function<double(double)>& of_radius) const
   return sum / shares;
 }
 
+double meanMass(const SpeciesDefinition& species)
+{
+  return Sizes(species).mean([&species](double radius) { return species.massOf(radius); });
+}
+
 std::vector<double> Sizes::classEdges() const
 {
   std::vector<double> edges;
