@@ -13,7 +13,7 @@ import pytest
 import ratchet_sieve as rs
 from ratchet_sieve import answers, stats
 from ratchet_sieve.answers import final, front, search
-from ratchet_sieve.answers.machine import Machine
+from ratchet_sieve.answers.machine import CUT, EMPTY, Machine
 from ratchet_sieve.answers.surface import OFFSET, Surface
 
 THETA = "base.inclination"
@@ -233,7 +233,7 @@ def test_a_poured_machine_runs_for_its_duration():
 
 
 def test_a_machine_that_works_nowhere_is_an_error():
-    with pytest.raises(RuntimeError, match="the machine works nowhere in these ranges: in 11 runs it was not emptied"):
+    with pytest.raises(RuntimeError, match="the machine works nowhere in these ranges: in 11 runs: 11 not emptied by half"):
         rs.separate(changed(feed={"rate": 0.0}, density=1.0, duration=0.05), {THETA: (0.0, 0.1)})
 
 
@@ -269,14 +269,23 @@ def test_an_interrupt_before_there_is_an_answer_is_one(monkeypatch):
 
 
 def test_a_budget_ends_the_search(monkeypatch):
-    with pytest.raises(ValueError, match="budget: too small for any answer: it ended after 8 of the first 11 runs"):
+    with pytest.raises(ValueError, match="budget: too small for any answer, of about .*: in 0 runs: none has ended"):
         rs.separate(SCENE, {THETA: (0.0, 0.4)}, budget=0)
-    monkeypatch.setattr(answers, "SHARE_OF_SEARCH", 0.0)
-    monkeypatch.setattr(search, "FIRST", {1: 8})
-    monkeypatch.setattr(final, "MOST_FRESH", final.FRESH)
-    found = rs.separate(SCENE, {THETA: (0.0, 0.4)}, budget="0.001 s", within=0.01)
-    assert any(text.startswith("the budget ended the search") for text in found.warnings)
+    monkeypatch.setattr(search.Search, "is_late", lambda self: len(self.runs) >= 11)
+    found = rs.separate(SCENE, {THETA: (0.0, 0.4)}, budget="1 h", within=0.01)
+    assert any(text.startswith("the budget ended the search: another setting may be better by") for text in found.warnings)
     assert found.separation.count == final.FRESH and found.floor is None
+    fresh = found.runs.seed % search.SEEDS >= search.SEEDS // 2
+    assert found.separation.value == pytest.approx(found.seen.value[fresh].mean())
+
+
+def test_runs_end_when_their_time_is_over_and_count_for_what_they_have():
+    machine = Machine(changed(feed={"rate": 2000.0}), {THETA: (0.1, 0.4)})
+    places = np.array([[0.0], [1.0]])
+    rows = machine.run(places, [1e6, 1e6], (1, 2), budget=0.3, threads=1)
+    assert 0 < len(rows) < 4 and set(rows.status) == {"cut"} and (rows.simulated_time < 1e6).all()
+    assert [machine.settings(places[k // 2])[THETA] for k in rows.index] == list(rows[THETA])
+    assert (machine.observed(rows).why.isin(["", CUT])).all()
 
 
 def program(*arguments, cwd):
@@ -291,7 +300,8 @@ def test_the_program_answers_as_the_function_does_with_the_runs_that_are_kept(an
                   "--plot", "answer.png", "--best", "best.yaml", cwd=tmp_path)
     assert ran.returncode == 0, ran.stderr
     assert ran.stdout.splitlines()[:2] == str(answer).splitlines()[:2]
-    assert ran.stderr == "sieve_separate: the runs are kept in feeder.separate.db; the same command continues\n"
+    assert ran.stderr.splitlines()[0].startswith("separate: each run is 6.7 s long: about ")
+    assert ran.stderr.splitlines()[1:] == ["sieve_separate: the runs are kept in feeder.separate.db; the same command continues"]
     written = json.loads((tmp_path / "answer.json").read_text(encoding="utf-8"))
     assert written["best"] == answer.best and written["separation"]["value"] == answer.separation.value
     assert rs.Scene.load(tmp_path / "best.yaml")[THETA] == answer.best[THETA]
@@ -304,7 +314,7 @@ def test_the_program_answers_as_the_function_does_with_the_runs_that_are_kept(an
         ran = subprocess.run([sys.executable, "-m", "ratchet_sieve.answers", "feeder.yaml", "--over", f"{THETA}=0:0.4",
                               "--within", "0.06", "--json", "answer.json"], cwd=tmp_path, stdout=output,
                              stderr=subprocess.PIPE, text=True)
-        assert ran.stderr.splitlines()[1:] == [f"sieve_separate: standard output: {reason}"] * bool(reason)
+        assert ran.stderr.splitlines()[2:] == [f"sieve_separate: standard output: {reason}"] * bool(reason)
         assert ran.returncode == bool(reason) and json.loads((tmp_path / "answer.json").read_text(encoding="utf-8"))
         (tmp_path / "answer.json").unlink()
 

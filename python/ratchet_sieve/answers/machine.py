@@ -235,7 +235,7 @@ class Machine:
                     found[:, k, mass] = _column(rows, f"steady.exits.{side}.mass.{name}").fillna(0.0)
                 else:
                     found[:, k, number] = rows[f"{side}.{name}"]
-                    found[:, k, mass] = found[:, k, number] * self.scene[f"species.{k}.mass"]
+                    found[:, k, mass] = found[:, k, number] * self.scene._engine.mean_masses[k]
         return found
 
 
