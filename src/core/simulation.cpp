@@ -211,6 +211,11 @@ MeanSeries Simulation::meanSeries() const
   return engine_->meanSeries();
 }
 
+FlowSeries Simulation::flowSeries() const
+{
+  return engine_->flowSeries();
+}
+
 bool Simulation::swings() const
 {
   return engine_->state().motion().swings();

@@ -8,6 +8,7 @@
 
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/recording/filling.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
@@ -142,13 +143,11 @@ std::optional<double> Certainty::ratio() const
 Certainty certaintyOf(const Simulation& simulation)
 {
   const AccuracyDefinition& wanted = simulation.scene().accuracy;
-  const MeanSeries series = simulation.meanSeries();
   std::vector<std::vector<BlockSum>> exits;
-  if (simulation.scene().feed.any())
-    for (const SpeciesSeries& species : series.species)
-      exits.push_back(species.exits);
+  for (const SpeciesFlow& species : simulation.flowSeries().species)
+    exits.push_back(leftShare(species.left.number, species.right.number));
   Certainty certainty;
-  certainty.means = steadyMeans(series, wanted.confidence);
+  certainty.means = steadyMeans(simulation.meanSeries(), wanted.confidence);
   certainty.separation = separationEstimate(simulation.bins(), exits, wanted.confidence);
   if (wanted.mean_vx > 0.0)
     certainty.to_mean_vx = attainmentOfMean(simulation, certainty.means);

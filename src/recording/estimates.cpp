@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
+
+#include "ratchet_sieve/recording/proportions.h"
 
 namespace ratchet_sieve
 {
@@ -124,23 +125,13 @@ struct Share
   double left;
 };
 
-/// Distances of the ends of Wilson's interval below and above a proportion.
-std::pair<double, double> wilson(const Share& share, double z)
-{
-  const double n = share.counted;
-  const double centre = (share.left + z * z / (2.0 * n)) / (1.0 + z * z / n);
-  const double half =
-      z / (1.0 + z * z / n) * std::sqrt(share.left * (1.0 - share.left) / n + z * z / (4.0 * n * n));
-  return {share.left - centre + half, centre + half - share.left};
-}
-
 /// For independent disks.
 double countedHalfWidth(const Share& a, const Share& b, double confidence)
 {
   const double z = halfWidthOver(confidence, 0);
-  const auto [below_a, above_a] = wilson(a, z);
-  const auto [below_b, above_b] = wilson(b, z);
-  return std::max(std::hypot(below_a, above_b), std::hypot(above_a, below_b));
+  const auto [low_a, high_a] = wilsonInterval(a.left, a.counted, z);
+  const auto [low_b, high_b] = wilsonInterval(b.left, b.counted, z);
+  return std::max(std::hypot(a.left - low_a, high_b - b.left), std::hypot(high_a - a.left, b.left - low_b));
 }
 
 /// The difference of the fractions per block, relative to the overall one.

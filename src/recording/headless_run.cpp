@@ -11,6 +11,7 @@
 #include "ratchet_sieve/recording/certainty.h"
 #include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/run_warnings.h"
+#include "ratchet_sieve/recording/steady.h"
 #include "ratchet_sieve/recording/stride.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
@@ -66,8 +67,10 @@ public:
     }
     if (simulation_.stalled())
       outcome_.end = RunEnd::STALLED;
+    const Certainty certainty = certaintyOf(simulation_);
     if (outcome_.end == RunEnd::COMPLETED)
-      warnOfErrors();
+      warnOfErrors(certainty);
+    warn(steadyText(simulation_, steadinessOf(simulation_), certainty), "not-steady");
     if (outcome_.end == RunEnd::CHOKED)
       warn(fmt::format("ended at {} s of {} s by feed.on_choke", simulation_.time(),
                        simulation_.scene().duration),
@@ -97,9 +100,9 @@ private:
       outcome_.warnings.push_back(withId(text, id));
   }
 
-  void warnOfErrors()
+  void warnOfErrors(const Certainty& certainty)
   {
-    outcome_.warnings = shortfalls(simulation_, certaintyOf(simulation_));
+    outcome_.warnings = shortfalls(simulation_, certainty);
     if (outcome_.warnings.empty())
       warn(unknownErrorText(simulation_), "unknown-error");
   }

@@ -5,6 +5,7 @@
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/recording/certainty.h"
 #include "ratchet_sieve/recording/frames.h"
+#include "ratchet_sieve/recording/steady.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 
@@ -105,6 +106,57 @@ Json certaintyParts(const Simulation& simulation)
   return json;
 }
 
+/// The estimates of each species in each bin, by number and by mass.
+Json portionParts(const std::vector<std::string>& names, const SteadyState& steady,
+                  PortionEstimates SteadyBin::*portion)
+{
+  Json json;
+  for (const auto& [bin, of_bin] :
+       {std::pair{"left", &SteadySpecies::left}, std::pair{"right", &SteadySpecies::right}})
+    for (std::size_t s = 0; s < names.size(); ++s)
+    {
+      const PortionEstimates& estimates = steady.species[s].*of_bin.*portion;
+      json[bin].push_back({{"name", names[s]},
+                           {"number", estimateOrNull(estimates.number)},
+                           {"mass", estimateOrNull(estimates.mass)}});
+    }
+  return json;
+}
+
+Json steadyParts(const std::vector<std::string>& names, const SteadyState& steady)
+{
+  std::optional<Estimate> quality = steady.separation;
+  if (quality)
+    quality->value = std::abs(quality->value);
+  Json json{{"from", steady.from},
+            {"separation", estimateOrNull(steady.separation)},
+            {"quality", estimateOrNull(quality)},
+            {"purity", portionParts(names, steady, &SteadyBin::purity)},
+            {"recovery", portionParts(names, steady, &SteadyBin::recovery)},
+            {"throughput",
+             {{"mass", estimateOrNull(steady.mass_throughput)}, {"number", estimateOrNull(steady.throughput)}}},
+            {"inside", estimateOrNull(steady.inside)}};
+  for (std::size_t s = 0; s < names.size(); ++s)
+  {
+    const auto row = [&](const SteadyBin& bin)
+    { return Json{{"name", names[s]}, {"number", bin.number}, {"mass", bin.mass}}; };
+    json["exits"]["left"].push_back(row(steady.species[s].left));
+    json["exits"]["right"].push_back(row(steady.species[s].right));
+  }
+  return json;
+}
+
+void addSteady(Json& json, const Simulation& simulation)
+{
+  const Steadiness found = steadinessOf(simulation);
+  json["steady"] = nullptr;
+  json["steady_reason"] = nullptr;
+  if (found.state)
+    json["steady"] = steadyParts(speciesNames(simulation.scene()), *found.state);
+  else
+    json["steady_reason"] = found.reason;
+}
+
 }  // namespace
 
 void addObserved(Json& json, const std::vector<Observed>& all)
@@ -192,6 +244,7 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
     json["pair_qualities"] = pairResults(simulation);
   addObserved(json, simulation.observed());
   json["accuracy"] = certaintyParts(simulation);
+  addSteady(json, simulation);
   json["base_impulse"] = {simulation.baseImpulse().x(), simulation.baseImpulse().y()};
   json["energy_start"] = outcome.progress.energy_start;
   json["energy_end"] = simulation.energy();

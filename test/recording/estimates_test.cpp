@@ -64,7 +64,7 @@ MeanSeries seriesOf(const BlockAverages& blocks)
 {
   MeanSeries series;
   series.block_time = static_cast<double>(blocks.blockLength());
-  series.species.push_back({blocks.blocks(), {}, {}});
+  series.species.push_back({blocks.blocks(), {}});
   return series;
 }
 

@@ -80,10 +80,6 @@ struct SpeciesSeries
 
   /// Displacement over time of groups of independent disks. Empty if disks collide with each other.
   std::vector<std::vector<BlockSum>> groups;
-
-  /// Disks that left on the left over all disks that left. Recorded for several species on an open base with
-  /// a feed.
-  std::vector<BlockSum> exits;
 };
 
 /// The series from which the means since `settle` are computed, in blocks of time. For an ensemble of

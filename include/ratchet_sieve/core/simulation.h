@@ -16,6 +16,7 @@
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/flow_series.h"
 #include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
@@ -115,6 +116,7 @@ public:
   /// length [s].
   double blockEnd(std::uint64_t blocks) const;
   MeanSeries meanSeries() const;  ///< the series behind means(), in blocks
+  FlowSeries flowSeries() const;  ///< of a machine with a feed
 
   bool swings() const;  ///< whether the drive moves the base at present
   /// The present granular temperature of each species [J]: half its mass times the variance of its disks'

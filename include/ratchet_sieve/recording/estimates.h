@@ -84,7 +84,7 @@ struct SeparationEstimate
 /// after the other are correlated: for a machine with a feed, the error is estimated from the time series as
 /// well, and the larger one is used. Disks that are still in a machine without a feed widen the interval by
 /// the change of s if they all left on the worst side.
-/// @param exits per species, see SpeciesSeries; empty without a feed
+/// @param exits per species, what left on the left of all that left; empty without a feed
 /// @return nothing if s is undefined or the series is too short
 std::optional<SeparationEstimate> separationEstimate(const std::vector<SpeciesBins>& bins,
                                                      const std::vector<std::vector<BlockSum>>& exits,

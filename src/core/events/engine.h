@@ -44,6 +44,7 @@ public:
     return settledTime() + static_cast<double>(blocks) * blockTime();
   }
   MeanSeries meanSeries() const { return state_.observers().averages().series(blockTime()); }
+  FlowSeries flowSeries() const { return state_.observers().flowSeries(settledTime(), blockTime()); }
 
   /// In the run's time [s].
   double startTime() const { return start_; }

@@ -45,8 +45,6 @@ Averages::Averages(const SystemState& system) : system_(system), layer_(system.p
   means_.begin(species_of_.size());
   if (scene.accuracy.mean_vx > 0.0 && !layer_)
     groups_.begin(species * GROUPS);
-  if (scene.feed.any() && scene.boundary != Boundary::PERIODIC && species > 1)
-    exits_.begin(species);
 }
 
 BlockSum Averages::path(std::uint32_t slot, double time) const
@@ -104,14 +102,6 @@ std::vector<Sum> Averages::sums(const Series<Sum>& series, double time) const
   return sums;
 }
 
-std::vector<BlockSum> Averages::exits() const
-{
-  std::vector<BlockSum> exits;
-  for (const SpeciesBins& bins : system_.observers().bins())
-    exits.push_back({static_cast<double>(bins.left), static_cast<double>(bins.counted())});
-  return exits;
-}
-
 void Averages::compact(const Compaction& compaction)
 {
   for (const std::uint32_t slot : compaction.gone)
@@ -128,10 +118,6 @@ void Averages::restart(double /*time*/)
 {
   means_.begin(means_.blocks.size());
   groups_.begin(groups_.blocks.size());
-  if (exits_.blocks.empty())
-    return;
-  exits_.begin(exits_.blocks.size());
-  exits_.at_block_end = exits();
 }
 
 void Averages::endBlock(double time)
@@ -140,8 +126,6 @@ void Averages::endBlock(double time)
     means_.endBlock(sums(means_, time));
   if (!groups_.blocks.empty())
     groups_.endBlock(sums(groups_, time));
-  if (!exits_.blocks.empty())
-    exits_.endBlock(exits());
 }
 
 SpeciesMeans Averages::Sums::means(const SpeciesDefinition& species) const
@@ -206,8 +190,6 @@ MeanSeries Averages::series(double block_time) const
   {
     SpeciesSeries& species = series.species.emplace_back();
     species.velocity = means_.blocks[s].blocks();
-    if (!exits_.blocks.empty())
-      species.exits = exits_.blocks[s].blocks();
     if (groups_.blocks.empty())
       continue;
     species.velocity.assign(first.blocks().size(), {});
@@ -227,18 +209,15 @@ MeanSeries Averages::series(double block_time) const
 void Averages::archive(StateArchive& state)
 {
   const std::size_t rows = groups_.blocks.size();
-  const std::size_t species = exits_.blocks.size();
   state(means_.gone, means_.at_block_end, means_.blocks);
-  state(groups_.gone, groups_.at_block_end, groups_.blocks, exits_.at_block_end, exits_.blocks);
+  state(groups_.gone, groups_.at_block_end, groups_.blocks);
   if (groups_.blocks.empty() && rows > 0)
     throw StateError("it lacks the series for the requested accuracy, which its own scene did not request");
   if (rows == 0)
     groups_.blocks.clear();
   groups_.gone.resize(rows);
   groups_.at_block_end.resize(rows);
-  exits_.at_block_end.resize(species);
-  if (groups_.blocks.size() != rows || exits_.blocks.size() != species || !sameLengths(groups_.blocks) ||
-      !sameLengths(exits_.blocks))
+  if (groups_.blocks.size() != rows || !sameLengths(groups_.blocks))
     throw StateError("it is of another scene");
 }
 

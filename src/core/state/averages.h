@@ -29,8 +29,8 @@ public:
   std::vector<SpeciesMeans> sizeClassMeans(double time) const;
 
   /// Whether a series is recorded: always of a layer, whose disks move together; of independent disks if the
-  /// scene requests an accuracy of <V_x>; of the exits of disks of a machine with a feed.
-  bool keepsSeries() const { return layer_ || !groups_.blocks.empty() || !exits_.blocks.empty(); }
+  /// scene requests an accuracy of <V_x>.
+  bool keepsSeries() const { return layer_ || !groups_.blocks.empty(); }
 
   /// @param block_time of the original blocks [s]
   MeanSeries series(double block_time) const;
@@ -83,7 +83,6 @@ private:
 
   template <typename Sum>
   std::vector<Sum> sums(const Series<Sum>& series, double time) const;
-  std::vector<BlockSum> exits() const;
   SpeciesMeans meansOf(std::size_t row, const std::vector<Sums>& sums) const;
 
   const SystemState& system_;
@@ -91,7 +90,6 @@ private:
   std::vector<std::size_t> species_of_;  ///< of each row: a species or a size class
   Series<Sums> means_;                   ///< blocks of a layer only
   Series<BlockSum> groups_;              ///< per group of a species; empty if none is requested
-  Series<BlockSum> exits_;               ///< per species: left exits over all exits; or empty
 };
 
 }  // namespace ratchet_sieve

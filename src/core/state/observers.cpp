@@ -4,6 +4,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "state/flow_blocks.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -75,6 +76,8 @@ Observers::Observers(const SystemState& system)
       trajectories_(system),
       bins_(add(std::make_unique<Bins>(system)))
 {
+  if (system.scene().feed.any() && system.scene().boundary != Boundary::PERIODIC)
+    flow_ = add(std::make_unique<FlowBlocks>(system));
   for (const std::string& name : system.scene().observe)
     observables_.push_back(add(makeObservable(name, system)));
   if (system.shape().isProfile())
@@ -173,6 +176,11 @@ const std::vector<SpeciesBins>& Observers::bins() const
 std::vector<SpeciesBins>& Observers::sizeClassBins()
 {
   return bins_->of_size_classes;
+}
+
+FlowSeries Observers::flowSeries(double start, double block_time) const
+{
+  return flow_ ? flow_->series(start, block_time) : FlowSeries();
 }
 
 std::vector<Observed> Observers::observed(double time, bool settled) const

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "ratchet_sieve/core/flow_series.h"
 #include "ratchet_sieve/core/observation.h"
 #include "state/averages.h"
 #include "state/contact_sums.h"
@@ -18,6 +19,7 @@ namespace ratchet_sieve
 {
 
 class Bins;
+class FlowBlocks;
 
 /// The observers of a run: the one list through which every contact, flight and departure goes, and every
 /// change of the slots and of the zero of time. Each run has the same standing observers, called without a
@@ -182,6 +184,9 @@ public:
   const std::vector<SpeciesBins>& bins() const;
   std::vector<SpeciesBins>& sizeClassBins();
 
+  /// See FlowBlocks::series().
+  FlowSeries flowSeries(double start, double block_time) const;
+
   /// Of a profile; empty for a sawtooth.
   FaceContacts faceContacts() const { return faces_ ? faces_->contacts() : FaceContacts(); }
 
@@ -252,6 +257,7 @@ private:
   unsigned subscriptions_ = 0;  ///< of all added ones and of the callers
   std::vector<PendingReport> pending_;
   Bins* bins_;  ///< the first of the added, which are told of departures in the order of time
+  const FlowBlocks* flow_ = nullptr;            ///< one of the added, where disks are fed and can leave
   std::vector<const Observable*> observables_;  ///< of the added, in the order of the scene
   const FaceCounts* faces_ = nullptr;           ///< one of the added
 
