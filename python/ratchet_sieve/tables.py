@@ -161,9 +161,11 @@ class Rows:
 
     def mean(self, field):
         """The mean over the runs, which are independent: their seeds differ. None where no run defines the field.
-        Of `quality` it is |mean separation|, with the error of that mean: the mean of Q itself is never 0."""
-        if field == "quality" and "separation" in self.frame:
-            mean = self.mean("separation")
+        Of `quality` and `steady.quality.value` it is |mean separation|, with the error of that mean: the mean of Q
+        itself is never 0."""
+        signed = field.replace("quality", "separation") if field in ("quality", "steady.quality.value") else None
+        if signed in self.frame:
+            mean = self.mean(signed)
             return mean and dataclasses.replace(mean, value=abs(mean.value))
         return stats.mean_of(self.samples(field))
 

@@ -17,6 +17,10 @@ using Json = nlohmann::ordered_json;
 const std::set<std::string> LEFT_OUT = {"scene_hash", "seed", "version",
                                         "wall_time",  "plan", "contacts_by_face"};
 
+/// A map, or null for the reason, a text.
+constexpr const char* STEADY = "steady";
+constexpr const char* STEADY_REASON = "steady_reason";
+
 bool isScalar(const Json& value)
 {
   return value.is_number() || value.is_boolean() || value.is_null();
@@ -43,12 +47,14 @@ void forSpecies(const Json& species, const Add& add)
     add(each, names.at(each.at("name").get<std::string>()));
 }
 
-/// Adds the scalars of a map as `PREFIX FIELD.NAME`.
+/// Adds the scalars of a map, and of those in it, as `PREFIX FIELD.NAME`.
 void addScalars(const std::string& prefix, const Json& map, const std::string& name, SummaryColumns& columns)
 {
   for (const auto& [field, value] : map.items())
     if (isScalar(value))
       columns.emplace_back(fmt::format("{}{}.{}", prefix, field, name), value);
+    else if (value.is_object())
+      addScalars(fmt::format("{}{}.", prefix, field), value, name, columns);
 }
 
 bool isOfSpecies(const Json& list)
@@ -115,7 +121,9 @@ SummaryColumns summaryColumns(const Json& summary)
     return columns;
   for (const auto& [key, value] : summary.items())
   {
-    if (LEFT_OUT.count(key) == 0)
+    if (key == STEADY_REASON)
+      columns.emplace_back(key, value);
+    else if (LEFT_OUT.count(key) == 0 && !(key == STEADY && value.is_null()))
       addParts(key, value, columns);
     if (key == "species")
       addCounted(value, columns);

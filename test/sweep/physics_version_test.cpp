@@ -60,7 +60,8 @@ std::string summaries()
     EXPECT_EQ(result->error, "");
     nlohmann::ordered_json summary = result->summary;
     // Not part of the physics: cost, program, derived values and texts.
-    for (const char* key : {"wall_time", "version", "plan", "accuracy", "warnings"})
+    for (const char* key :
+         {"wall_time", "version", "plan", "accuracy", "steady", "steady_reason", "warnings"})
       EXPECT_EQ(summary.erase(key), 1u) << key;
     text += summary.dump() + '\n';
   }

@@ -152,6 +152,10 @@ TEST(SummaryColumns, AreTheScalars)
         {"quality", {{"value", 0.25}}}}},
       {"height_profile", {{{"name", "A"}, {"mean_height", 0.01}, {"table", {{"from", {0.0}}}}}}},
       {"mass_flow", {{"left", {{{"name", "B"}, {"mean", 0.02}}}}}},
+      {"steady",
+       {{"inside", {{"value", 3.5}}},
+        {"purity", {{"left", {{{"name", "A"}, {"mass", {{"value", 0.5}, {"half_width", 0.125}}}}}}}}}},
+      {"steady_reason", nullptr},
       {"base_impulse", {1.0, 2.0}},
       {"plan", {{"pairs", true}}},
       {"warnings", {"one", "two"}}};
@@ -164,8 +168,18 @@ TEST(SummaryColumns, AreTheScalars)
       R"("mean_vx.B":null,"left.B":0,"right.B":5,"counted":12,)"
       R"("accuracy.reached":true,"accuracy.mean_vx.half_width.A":0.1,"accuracy.mean_vx.half_width.B":null,)"
       R"("accuracy.quality.value":0.25,"height_profile.mean_height.A":0.01,"mass_flow.left.mean.B":0.02,)"
+      R"("steady.inside.value":3.5,"steady.purity.left.mass.value.A":0.5,)"
+      R"("steady.purity.left.mass.half_width.A":0.125,"steady_reason":null,)"
       R"("base_impulse.x":1.0,"base_impulse.y":2.0,"warnings":2,)"
       R"("warning_text":"one | two","size_classes.1.left.A":1,"size_classes.2.left.A":2})");
+}
+
+TEST(SummaryColumns, OfAMachineThatIsNotSteadyHaveTheReason)
+{
+  const SummaryColumns columns = summaryColumns({{"steady", nullptr}, {"steady_reason", "no feed"}});
+  ASSERT_EQ(columns.size(), 1u);
+  EXPECT_EQ(columns[0].first, "steady_reason");
+  EXPECT_EQ(columns[0].second, "no feed");
 }
 
 TEST(SummaryColumns, TellSpeciesApartThatSqlDoesNot)

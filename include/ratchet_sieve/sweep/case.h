@@ -38,10 +38,10 @@ struct CaseResult
 /// One column for each scalar of a summary. Its name is the key; nested keys are joined, as in
 /// `collisions.apex` or `base_impulse.x`; values of a species have its name, as in `mean_vx.A`, and of
 /// a size class its number as well, as in `size_classes.1.left.A`. In addition
-/// `counted`, the number of disks that left; `warnings`, their number, and `warning_text`. Not included:
-/// columns that the table has for every case, other texts, and species columns if there are more than
-/// MOST_COLUMN_SPECIES species. If names differ only in case, all but the first in byte order get a number:
-/// `mean_vx.a (2)`.
+/// `counted`, the number of disks that left; `warnings`, their number, and `warning_text`; `steady_reason`.
+/// Not included: columns that the table has for every case, other texts, and species columns if there are
+/// more than MOST_COLUMN_SPECIES species. If names differ only in case, all but the first in byte order get a
+/// number: `mean_vx.a (2)`.
 using SummaryColumns = std::vector<std::pair<std::string, nlohmann::ordered_json>>;
 SummaryColumns summaryColumns(const nlohmann::ordered_json& summary);
 

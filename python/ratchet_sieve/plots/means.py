@@ -15,6 +15,7 @@ LABELS = {
     'base.amplitude': '$A$ [m]',
     'density': 'density $d$',
     'quality': 'quality $Q$',
+    'steady.quality.value': 'quality $Q$ of the filled machine',
     'processed': 'processed ratio $P$',
     'throughput': 'throughput [disks/s]',
 }

@@ -70,7 +70,8 @@ def choose_axes(options, keys, rows):
 
 
 def default_fields(rows):
-    wanted = ['quality', 'separation', 'processed', 'throughput'] + [name for name in rows.frame if name.startswith('mean_vx.')]
+    wanted = ['quality', 'separation', 'steady.quality.value', 'processed', 'throughput',
+              *(name for name in rows.frame if name.startswith('mean_vx.'))]
     fields = [field for field in wanted if rows.samples(field)]
     if not fields:
         raise Refusal('no field is defined in any case')
@@ -179,7 +180,8 @@ def main():
     parser.add_argument('--x', metavar='KEY', help='along x (default: the key with the most values)')
     parser.add_argument('--y', metavar='KEY', help='along y of a map, and one curve for each of its values')
     parser.add_argument('--field', metavar='NAME', action='append', default=[],
-                        help='a column to draw; may be given again (default: Q, P, throughput and mean velocities)')
+                        help='a column to draw; may be given again (default: Q, also of the filled machine, P, throughput and '
+                             'mean velocities)')
     parser.add_argument('--where', metavar='KEY=VALUE', action='append', default=[],
                         help='only cases with this value; may be given again')
     parser.add_argument('--least-processed', metavar='P', type=float, default=0.5,
