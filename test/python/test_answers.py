@@ -115,9 +115,10 @@ def test_settings_have_few_digits_and_whole_numbers_where_the_key_has_them():
 
 
 def test_the_answer_is_that_of_many_runs(answer):
-    assert answer.separated and answer.separation.half_width <= 0.06 and answer.separation.count >= final.FRESH
-    table = rs.sweep(answer.scene.replace(duration=30.0), seeds=(10**9, 8))
-    mean = rs.stats.mean_of(table.separation)
+    assert answer.separated and answer.separation.half_width <= 0.06
+    assert answer.separation.count >= final.LEAST_WORKING * final.FRESH
+    table = rs.sweep(answer.scene.replace(duration=60.0), seeds=(10**9, 8))
+    mean = rs.stats.mean_of(table["steady.separation.value"].dropna())
     assert abs(mean.value - answer.separation.value) < mean.half_width() + answer.separation.half_width
     others = rs.sweep(rs.Scene(SCENE, {"duration": 20.0}), {THETA: list(np.linspace(0.0, 0.4, 9))}, seeds=2)
     best = others.groupby(THETA).separation.mean().abs().max()
@@ -258,7 +259,7 @@ def test_an_interrupt_gives_the_answer_so_far_and_the_same_call_continues_on_any
     assert part.warnings[0].startswith("interrupted") and part.separation.count == 0
     whole = rs.separate(SCENE, **call)
     assert (whole.best, whole.separation) == (answer.best, answer.separation)
-    bits = [found.runs.drop(columns=["wall_time", "host"]) for found in (whole, answer)]
+    bits = [found.runs.drop(columns=["wall_time", "host"]).sort_index(axis=1) for found in (whole, answer)]
     assert bits[0].equals(bits[1])
 
 
@@ -274,7 +275,7 @@ def test_a_budget_ends_the_search(monkeypatch):
     monkeypatch.setattr(search.Search, "is_late", lambda self: len(self.runs) >= 11)
     found = rs.separate(SCENE, {THETA: (0.0, 0.4)}, budget="1 h", within=0.01)
     assert any(text.startswith("the budget ended the search: another setting may be better by") for text in found.warnings)
-    assert found.separation.count == final.FRESH and found.floor is None
+    assert final.LEAST_WORKING * final.FRESH <= found.separation.count <= final.FRESH and found.floor is None
     fresh = found.runs.seed % search.SEEDS >= search.SEEDS // 2
     assert found.separation.value == pytest.approx(found.seen.value[fresh].mean())
 
@@ -406,8 +407,9 @@ def test_what_is_reported_of_a_front_comes_from_seeds_that_had_no_part_in_the_ch
     for row in found.table.to_dict("records"):
         own = runs[(runs[THETA] == row[THETA]) & (runs["feed.rate"] == row["feed.rate"])].sort_values("seed")
         assert own.seed.is_unique and len(own) == 1 + 2 * front.RUNS
-        assert abs(own.separation.tail(front.RUNS).mean()) == pytest.approx(row["value"])
-        chose = own.separation.iloc[1:-front.RUNS]
+        steady = own["steady.separation.value"]
+        assert abs(steady.tail(front.RUNS).mean()) == pytest.approx(row["value"])
+        chose = steady.iloc[1:-front.RUNS]
         assert row["lower"] == pytest.approx(abs(chose.mean()) - stats.mean_of(chose).half_width())
 
 
