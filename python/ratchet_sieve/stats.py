@@ -23,8 +23,8 @@ def quantile(freedom, level=LEVEL):
 
 
 def wilson(part, whole, level=LEVEL):
-    """The interval of a share of which `part` of `whole` were seen (Wilson, J. Am. Stat. Assoc. 22, 209 (1927)). It has a
-    width where all or none were.
+    """The interval of a share of which `part` of `whole` were seen (Wilson, J. Am. Stat. Assoc. 22, 209 (1927)). It has
+    a width where all or none were.
     @return (low, high)"""
     z = float(special.ndtri(1.0 - 0.5 * level))
     share, scale = part / whole, 1.0 + z * z / whole

@@ -42,7 +42,8 @@ def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
     budget   wall time [s] after which the runs under way are cut: their rows have the status "cut", and what they
              measured until then; a later call with the same file continues them. Cases that were not begun have no row
     progress whether to show a bar; or a function of the numbers of cases: done, failed, all
-    Returns a row for each case, in the order of the product, seeds fastest, by which the index counts: see read_sweep().
+    Returns a row for each case, in the order of the product, seeds fastest, in which the index counts them: see
+    read_sweep().
     Raises SceneError, ValueError before any case is run, ResultsError. After Ctrl-C a call with the same file goes on.
     """
     sweep_of: dict[str, Any] = {"scene": _without_folder(scene_of(scene))}

@@ -70,8 +70,8 @@ class Answer:
     floor       what changes with half of contact.min_rebound_speed: .from, .to [m/s], .change, .depends; None: not
                 checked
     warnings    texts: what was cut short, a setting at the end of its range, warnings of the runs
-    cost        runs, simulated [s], processor [s] and seconds [s of wall time], both of this call; `announced` [s of wall
-                time] before the first run
+    cost        runs, simulated [s], processor [s] and seconds [s of wall time], both of this call; `announced` before
+                the first run [s of wall time]
     map         DataFrame: the surface over the ranges, with its half_width; `why` the machine is no answer there, as
                 choked, still filling: "" where it is one
     runs        DataFrame: a row for each run, as of a sweep
@@ -133,7 +133,8 @@ class Answer:
             source = f"95 %, {counted(self.separation.count, 'run')} with fresh seeds" if self.separation.count else \
                 "no interval: of the search's own runs"
             lines = [f"{goal} {self.separation}{unit} ({source})" + self._way(), f"at {at}",
-                     f"as good: {self._region()}; the worst of them may lose {at_most(self.as_good.may_lose.max())}{unit}"]
+                     f"as good: {self._region()}; the worst of them may lose "
+                     f"{at_most(self.as_good.may_lose.max())}{unit}"]
             lines += self._products() if self.purity else []
         if self.best and self.throughput:
             per = self.throughput
@@ -175,9 +176,9 @@ class Answer:
         return f"{spans} ({100.0 * part:.0f} % of the ranges)"
 
     def next_stage(self, side: str, over: Any, **options: Any) -> Answer:
-        """The machine that takes what leaves this one, at its best settings, at a side: a search of its own, whose scene
-        is fed at the rate, in the numbers and with the sizes that leave. Of the best of it `stages` has, from runs of
-        all stages, each fed with the very grains that leave the one before:
+        """The machine that takes what leaves this one, at its best settings, at a side: a search of its own, whose
+        scene is fed at the rate, in the numbers and with the sizes that leave. Of the best of it `stages` has, from
+        runs of all stages, each fed with the very grains that leave the one before:
 
         products   what no further stage takes: stage, side, throughput [kg/s], purity and recovery (of all that is
                    fed) by mass and by number, with intervals
@@ -186,8 +187,8 @@ class Answer:
         side     "left" or "right"
         over     ranges of the next machine's keys; else it is as this one
         options  of separate()
-        Raises ValueError, also for a machine that is not fed, or where nothing leaves there. Warns where the stage undoes
-        this one.
+        Raises ValueError, also for a machine that is not fed, or where nothing leaves there. Warns where the stage
+        undoes this one.
         """
         from . import separate
         from .stages import next_stage

@@ -9,7 +9,7 @@ from ratchet_sieve.texts import counted, shown
 
 OF_A_RUN = 1.0     # of the short run [s of wall time]
 OF_BUDGET = 0.05   # the same, of a budget
-SEARCH = 4.0       # simulated time of the search, over that of its first runs, as it was for the problems of separate.md
+SEARCH = 4.0       # simulated time of the search, over that of its first runs, as it is in the problems of separate.md
 BISECTIONS = 20    # of the lowest setting that throws disks up
 
 

@@ -176,11 +176,16 @@ def _answer(search, fresh, notes, floor, clocks, announced):
     if found is None or found.half_width is None:
         found = Interval(float(search.value[search.best]), None, 0)
         if not search.nowhere():
-            notes.append(f"the {machine.goal} has no interval: it is of the search's own runs, which chose the setting, so "
-                         "that it is too large")
+            notes.append(f"the {machine.goal} has no interval: it is of the search's own runs, which chose the setting, "
+                         "so that it is too large")
     if search.too_costly.any():
         notes.append(f"{100.0 * search.too_costly.mean():.2g} % of the ranges are left out: there a simulated second "
                      f"costs more than {COSTLIEST:g} times the usual, as on a nearly choked base")
+    silent = pandas.Series(np.where(search.works, "", search.why)).replace("", np.nan).value_counts(normalize=True)
+    share = np.mean(~search.works & (search.why != ""))
+    if share > 0.0:
+        notes.append(f"no answer in {100.0 * share:.2g} % of the ranges: "
+                     + ", ".join(f"{why} in {100.0 * share * part:.2g} %" for why, part in silent.items()))
     known = found.half_width is not None
     separated = known and not search.nowhere() and abs(found.value) > found.half_width
     best = separated or not known and not search.nowhere()

@@ -95,8 +95,8 @@ def front(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, trials: i
     scene, over, goal, seed, results, threads  as of separate()
     trials  settings that are tried
     start   settings that are tried first; of keys that one does not name, the scene's own values
-    storage Optuna's, or its URL, such as sqlite:///front.db: all processes that give the same one try settings together,
-            until there are as many as the least `trials` among them; each measures the front by itself
+    storage Optuna's, or its URL, such as sqlite:///front.db: all processes that give the same one try settings
+            together, until there are `trials`; each measures the front by itself
     Raises SceneError, ValueError before anything runs, ImportError without Optuna, RuntimeError where the machine works
     nowhere. After Ctrl-C the same call with the same results continues.
     """
@@ -108,8 +108,8 @@ def front(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, trials: i
     seed, begin = seed_of(seed), [machine.place(settings) for settings in start]
     with Progress(progress, "front") as bar:
         study = _study(machine, storage, begin, seed)
-        bar.say(cost_text(machine, np.full(len(machine.keys), 0.5), seed,
-                          machine.shortest * (TRIED * trials + 2 * AGAIN * RUNS * PROMISING), threads or os.cpu_count())[0])
+        simulated = machine.shortest * (TRIED * trials + 2 * AGAIN * RUNS * PROMISING)
+        bar.say(cost_text(machine, np.full(len(machine.keys), 0.5), seed, simulated, threads or os.cpu_count())[0])
         tried = _tried(machine, study, trials, seed, options, bar)
         promising = _promising(machine, tried)
         if promising.empty:
@@ -177,8 +177,8 @@ def _tried(machine, study, trials, seed, options, bar):
                 {name: float for name in ("value", "throughput", "processed")})
         asked = [study.ask() for _ in range(room)]
         places = np.array([[trial.suggest_float(name, 0.0, 1.0) for name in _names(machine)] for trial in asked])
-        best = np.nanmax([np.nan, *(trial.user_attrs[TRIED_AS]["value"] or np.nan for trial in found)]) if found else np.nan
-        text = "" if np.isnan(best) else f", best {best:.3g}"
+        values = [trial.values[0] for trial in found if trial.values]
+        text = f", best {max(values):.3g}" if values else ""
         rows = _seen(machine, places, TRIED, (seed, 1), options, lambda done: bar.show(
             0.8 * (len(found) + 0.5) / trials, f"{counted(len(found), 'setting')} of {trials}{text}; {done}"))
         for trial, row in zip(asked, rows.astype(object).where(rows.notna(), None).to_dict("records")):
@@ -194,7 +194,8 @@ def _under_way(trials):
     """How many other processes try. One that takes much longer than any has taken is taken for dead."""
     longest = max((trial.duration for trial in trials if trial.duration), default=None)
     running = [trial for trial in trials if trial.state.name == "RUNNING"]
-    return sum(longest is None or datetime.datetime.now() - trial.datetime_start < PATIENCE * longest for trial in running)
+    now = datetime.datetime.now()
+    return sum(longest is None or now - trial.datetime_start < PATIENCE * longest for trial in running)
 
 
 def _seen(machine, places, duration, seeds, options, show=lambda done: None):
@@ -209,7 +210,7 @@ def _seen(machine, places, duration, seeds, options, show=lambda done: None):
                            progress=lambda done, failed, count: show(f"{done + failed} of {count}"))
         for k, part in zip(left, np.split(rows, len(left))):
             parts[k] = part
-        left = np.array([k for k in left if machine.observed(parts[k])["open"].any() and lengths[k] < LONGEST], dtype=int)
+        left = np.array([k for k in left if lengths[k] < LONGEST and machine.observed(parts[k])["open"].any()], dtype=int)
         lengths[left] = np.minimum(2.0 * lengths[left], LONGEST)
     rows = pandas.concat(parts, ignore_index=True)
     seen = machine.observed(rows)

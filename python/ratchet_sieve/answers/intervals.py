@@ -14,8 +14,7 @@ _SIDE = {"left": LEFT, "right": RIGHT}
 def interval_of(machine, rows):
     """The goal's mean over runs that work, with its interval. Its half width is None where the runs do not tell it.
     @return None: there is no run"""
-    values = machine.observed(rows)["value"].dropna()
-    found = _mean(values)
+    found = _mean(machine.observed(rows)["value"]) if len(rows) else None
     if found is None:
         return None
     bins = machine.bins(rows).sum(axis=0) if machine.kind != "closed" else None
@@ -23,8 +22,8 @@ def interval_of(machine, rows):
         what, side, by, name = machine.goal.split(".", 3)
         return _of_share(found, bins, what, side, by, machine.scene.species.index(name))
     if machine.is_signed and machine.kind != "closed":
-        each = [_of_share(Interval(_ratio(*bins[k, [LEFT, RIGHT]]), 0.0, found.count), bins, "recovery", "left", "number", k)
-                for k in range(len(bins))]
+        each = [_of_share(Interval(_ratio(*bins[k, [LEFT, RIGHT]]), 0.0, found.count), bins, "recovery", "left",
+                          "number", k) for k in range(len(bins))]
         if found.half_width == 0.0 or bins[:, [LEFT, RIGHT]].min() < SURE:  # Newcombe, Statist. Med. 17, 873 (1998)
             return Interval(found.value, float(np.hypot(*(of.half_width for of in each))), found.count)
     return Interval(found.value, found.half_width or None, found.count)
@@ -75,9 +74,11 @@ def _of_share(found, bins, what, side, by, k):
     rest = bins[:, own].sum() - part if what == "purity" else bins[k, other]
     if found.half_width and min(part, rest) >= SURE or part + rest == 0.0:
         return found
-    heavier = _mean_mass(bins[[k]]) / _mean_mass(np.delete(bins, k, axis=0)) if by == "mass" and what == "purity" else 1.0
+    by_mass = by == "mass" and what == "purity"
+    heavier = _mean_mass(bins[[k]]) / _mean_mass(np.delete(bins, k, axis=0)) if by_mass else 1.0
     low, high = (heavier * p / (heavier * p + 1.0 - p) for p in stats.wilson(part, part + rest))
-    return Interval(found.value, float(max(found.half_width or 0.0, found.value - low, high - found.value)), found.count)
+    width = max(found.half_width or 0.0, found.value - low, high - found.value)
+    return Interval(found.value, float(width), found.count)
 
 
 def _mean_mass(bins):

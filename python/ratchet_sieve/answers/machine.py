@@ -22,8 +22,9 @@ NOT_VARIED = ("seed", "duration", "settle")
 NO_GOALS = ("seed", "wall_time", "events", "simulated_time", "physics")
 SIDES = ("left", "right")
 # Why a run says nothing.
-CHOKED, EMPTY, NOT_EMPTIED, FEW, CUT = ("choked", "a bin stayed empty", "not emptied by half", "too few of its disks left",
-                                        "cut by the budget")
+CHOKED, EMPTY, NOT_EMPTIED, FEW = "choked", "a bin stayed empty", "not emptied by half", "too few of its disks left"
+CUT = "cut by the budget"
+NEEDED = r"but (\S+) s are needed"  # in a run's steady_reason
 NO_DRIFT, FAILED = "too short to tell a mean velocity", "failed"
 STEPS = 1000           # of a range at least, to which settings are rounded
 WITHIN = {"fed": 0.02, "poured": 0.02, "closed": 0.001}  # closed: [m/s]
@@ -173,12 +174,13 @@ class Machine:
 
     def observed(self, rows):
         """@return what each run says: `value`, its `variance`, both NaN where it says nothing, and `why` that is so;
-        `open`, whether a longer one may; `residence`, the mean time in the machine of all disks [s], and `rate`, the
-        events that a simulated second takes. Of a goal that is no share the variances are relative ones."""
+        `open`, whether a longer one may, and how long it `needs` to be [s]; `residence`, the mean time in the machine
+        of all disks [s], and `rate`, the events that a simulated second takes. Of a goal that is no share the variances are relative ones."""
         if not self.is_signed and not self.share_goal:
             self._require_goal(rows)
-        seen = pandas.DataFrame({"value": _column(rows, self.goal), "rate": (rows["events"] + 1.0) / rows["simulated_time"],
-                                 "residence": 0.0, "variance": np.nan, "why": "", "open": False}, index=rows.index)
+        seen = pandas.DataFrame({
+            "value": _column(rows, self.goal), "rate": (rows["events"] + 1.0) / rows["simulated_time"], "residence": 0.0,
+            "variance": np.nan, "why": "", "open": False, "needs": np.nan}, index=rows.index)
         of_kind = {"closed": self._observed_closed, "poured": self._observed_poured, "fed": self._observed_fed}
         of_kind[self.kind](rows, seen)
         seen.loc[(seen["why"] == "") & seen["value"].isna(), "why"] = EMPTY
@@ -205,10 +207,13 @@ class Machine:
     def _observed_fed(self, rows, seen):
         """By its steady state, of which a run without one says why."""
         inside, flow = (_column(rows, f"steady.{name}.value") for name in ("inside", "throughput.number"))
-        seen["residence"] = (inside / flow).where(flow > 0.0, rows["simulated_time"] * (1.0 - rows["processed"].fillna(0.0)))
+        unknown = rows["simulated_time"] * (1.0 - rows["processed"].fillna(0.0))
+        seen["residence"] = (inside / flow).where(flow > 0.0, unknown)
         seen["value"] = _column(rows, steady_column(self.goal))
         self._count(self.bins(rows), rows["simulated_time"] - _column(rows, "steady.from").fillna(0.0), seen)
-        why = _column(rows, "steady_reason").fillna("").astype(str).str.partition(":")[0]
+        reason = _column(rows, "steady_reason").fillna("").astype(str)
+        why = reason.str.partition(":")[0]
+        seen["needs"] = reason.str.extract(NEEDED, expand=False).astype(float)
         planned = rows["duration"] if "duration" in rows else rows["simulated_time"]
         why[(rows["simulated_time"] < (1.0 - 1e-9) * planned) & (_column(rows, "status") != "cut")] = CHOKED
         seen["why"] = why
@@ -221,21 +226,22 @@ class Machine:
         elif self.is_signed:
             left, right = bins[:, :, LEFT], bins[:, :, RIGHT]
             counted = left + right
-            seen["variance"] = ((left + 0.5) * (right + 0.5) / (counted + 1.0) ** 3).sum(axis=1) * 2.0 / counted.shape[1]
+            of_species = (left + 0.5) * (right + 0.5) / (counted + 1.0) ** 3
+            seen["variance"] = of_species.sum(axis=1) * 2.0 / counted.shape[1]
         else:
             seen["variance"] = self.shortest / seconds.clip(lower=1e-9)
 
     def bins(self, rows):
         """What left, of a fed machine while it was steady: as ratchet_sieve.goals has it, (runs, species, 5)."""
         found = np.zeros((len(rows), len(self.scene.species), 5))
-        for side, number, mass in (("left", LEFT, LEFT_MASS), ("right", RIGHT, RIGHT_MASS)):
+        for side, count, mass in (("left", LEFT, LEFT_MASS), ("right", RIGHT, RIGHT_MASS)):
             for k, name in enumerate(self.scene.species):
                 if self.kind == "fed":
-                    found[:, k, number] = _column(rows, f"steady.exits.{side}.number.{name}").fillna(0.0)
+                    found[:, k, count] = _column(rows, f"steady.exits.{side}.number.{name}").fillna(0.0)
                     found[:, k, mass] = _column(rows, f"steady.exits.{side}.mass.{name}").fillna(0.0)
                 else:
-                    found[:, k, number] = rows[f"{side}.{name}"]
-                    found[:, k, mass] = found[:, k, number] * self.scene._engine.mean_masses[k]
+                    found[:, k, count] = rows[f"{side}.{name}"]
+                    found[:, k, mass] = found[:, k, count] * self.scene._engine.mean_masses[k]
         return found
 
 

@@ -27,6 +27,8 @@ COSTLIEST = 200.0  # events that a simulated second may take, over the median of
 SHAPE = ("base.teeth", "base.tooth", "base.asymmetry", "base.length", "base.phase")  # does not decide what is thrown
 RATES = 20.0      # scale of the logarithm of that: of its surface over the ranges
 RATES_VARIANCE = 0.1  # of what one run says of it
+OPEN_COST = 100.0  # of a run where the machine has not settled, over the median of the first runs
+MARGIN = 1.1      # of such a run's length, over what the run before it says is needed
 LONG_COST = 50.0  # of a run that is longer than the shortest, over the median of the first runs
 SEEDS = 1_000_000  # of the scenes between two seeds of the search; the second half of them is for fresh runs
 MOST_SEED = 10 ** 12
@@ -91,11 +93,24 @@ class Search:
         """@return numbers of the places whose last run was too short to say anything, and twice its duration, in units
         of the shortest; none where most of the others do say something"""
         seen = self.machine.observed(self.runs)
-        last = dict(zip(map(self._nearest, self._places), range(len(seen))))
-        open_ = [k for k, row in last.items() if seen["open"].iloc[row]]
-        if 2 * len(open_) <= int(seen["value"].notna().sum()) or self.machine.kind != "fed":
+        last = dict(zip(map(self._nearest, self._places), self._longer(seen)))
+        open_ = [k for k, units in last.items() if np.isfinite(units)]
+        if 2 * len(open_) <= int(seen["value"].notna().sum()):
             return np.array([], dtype=int), []
-        return np.array(open_), [2.0 * self.runs["duration"].iloc[last[k]] / self.machine.shortest for k in open_]
+        return np.array(open_), [last[k] for k in open_]
+
+    def _longer(self, seen):
+        """How long a run must be that may say more than each one has, in units of the shortest; infinite: too long, or
+        too costly, or it says all."""
+        if "duration" not in self.runs:
+            return np.where(seen["open"], 1.0, np.inf)
+        last = self.runs["duration"].to_numpy() / self.machine.shortest
+        needed = seen["needs"].to_numpy() / self.machine.shortest
+        units = np.fmax(np.minimum(2.0 * last, LONGEST), MARGIN * needed)
+        units = np.where(seen["why"] == CUT, last, np.where(last < (1.0 - 1e-9) * LONGEST, units, np.inf))
+        rate = seen["rate"].to_numpy()
+        fits = (units <= (1.0 + 1e-9) * LONGEST) & (units * rate <= OPEN_COST * np.median(rate[:len(self.first())]))
+        return np.where(seen["open"] & (fits | (seen["why"] == CUT)), units, np.inf)
 
     def _run(self, places, durations, seeds, *others):
         budget = None if self.deadline is None else max(self.deadline - time.monotonic(), 0.0)
@@ -130,16 +145,14 @@ class Search:
             return False
         seen = self.machine.observed(self.runs)
         defined = seen["value"].notna().to_numpy()
-        longest = self.runs["duration"] >= (1.0 - 1e-9) * LONGEST * self.machine.shortest if "duration" in self.runs \
-            else np.ones(len(seen), dtype=bool)
-        may_work = defined | (seen["open"] & (~longest | (seen["why"] == CUT))).to_numpy()
+        longer = self._longer(seen)
+        may_work = defined | np.isfinite(longer)
         # Of several runs of a place the last, which is the longest.
         distance = ((self.grid[:, None] - self._places[None, ::-1]) ** 2).sum(axis=-1)
         nearest = len(self._places) - 1 - distance.argmin(axis=1)
         self.works, self.why = may_work[nearest], seen["why"].to_numpy()[nearest]
         self.last = nearest  # the run that tells of each place
-        self._waits = np.where(defined[nearest] | ~self.works, 0.0, 2.0 * self.runs.get(
-            "duration", pandas.Series(0.0, self.runs.index)).to_numpy()[nearest] / self.machine.shortest)
+        self._waits = np.where(defined[nearest] | ~self.works, 0.0, longer[nearest])
         self._residence = seen["residence"].to_numpy()[nearest]
         self._rate = self._rates(seen["rate"].to_numpy())
         self._usual = float(seen["rate"].head(len(self.first())).median())
