@@ -138,15 +138,19 @@ def _fresh_runs(search, bar, fresh, notes):
     runs, length = FRESH, search.final_duration(FRESH, search.within / EXPECTED, LONG_ENOUGH)
     if search.deadline is not None:
         runs, length = _affordable(search, length)
-    fresh.rows = pandas.DataFrame()
+    fresh.rows, longer = pandas.DataFrame(), False
     while True:
         search.show = lambda done: bar.show(0.8, f"{done} fresh runs")
         rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(runs, length)], ignore_index=True)
         seen = machine.observed(rows) if len(rows) else None
         if not search.is_late() and seen["value"].notna().sum() < max(LEAST_WORKING * len(rows), 2):
+            fresh.rows = pandas.DataFrame()
+            if seen["open"].any() and not longer:
+                length, longer = 2.0 * length, True
+                continue
+            search.close(whys(seen))
             at = ", ".join(f"{key} = {value:g}" for key, value in machine.settings(search.grid[search.best]).items())
             notes.append(f"{at} is left out: of {counted(len(rows), 'fresh run')} {whys(seen)}")
-            fresh.rows = pandas.DataFrame()
             return False
         mean = None if seen is None else interval_of(machine, rows[seen["value"].notna()])
         if mean and mean.half_width is not None:

@@ -58,6 +58,11 @@ class Search:
         self.rounds = 0
         self.show = lambda done: None
         self._first = None
+        self._closed = {}
+
+    def close(self, why):
+        """Leaves the best out: its fresh runs say that it is none."""
+        self._closed[self.best] = why
 
     @property
     def threads(self):
@@ -151,6 +156,8 @@ class Search:
         distance = ((self.grid[:, None] - self._places[None, ::-1]) ** 2).sum(axis=-1)
         nearest = len(self._places) - 1 - distance.argmin(axis=1)
         self.works, self.why = may_work[nearest], seen["why"].to_numpy()[nearest]
+        for k, reason in self._closed.items():
+            self.works[k], self.why[k] = False, reason
         self.last = nearest  # the run that tells of each place
         self._waits = np.where(defined[nearest] | ~self.works, 0.0, longer[nearest])
         self._residence = seen["residence"].to_numpy()[nearest]
