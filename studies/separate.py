@@ -52,10 +52,11 @@ def problems():
 
 
 def reference(scene, settings, duration, seeds):
-    """The separation at some settings, by long runs with fresh seeds."""
+    """The separation at some settings, of a fed machine once it has filled, by long runs with fresh seeds."""
     keys = {} if duration is None else {"duration": duration}
     rows = rs.sweep(scene.replace(keys), cases=settings, seeds=(FRESH, seeds), progress=False)
-    return [stats.mean_of(part.separation.dropna()) for part in np.array_split(rows, len(settings))]
+    values = rows.get("steady.separation.value" if scene["feed.rate"] > 0.0 else "separation")
+    return [stats.mean_of(part.dropna()) for part in np.array_split(values, len(settings))]
 
 
 def best_of_grid(scene, over, is_fed):
@@ -65,7 +66,7 @@ def best_of_grid(scene, over, is_fed):
     means = reference(scene, places, 300.0 if is_fed else None, 4)
     order = sorted(range(len(places)), key=lambda k: -abs(means[k].value) if means[k] else 0.0)[:5]
     again = reference(scene, [places[k] for k in order], 600.0 if is_fed else None, 12 if is_fed else 40)
-    return max(abs(mean.value) for mean in again)
+    return max(abs(mean.value) for mean in again if mean)
 
 
 def halving(scene, over, seed):

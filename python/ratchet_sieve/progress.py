@@ -13,7 +13,7 @@ class Progress:
     """A bar on standard error, if that is a terminal or a notebook; erased at the end."""
 
     def __init__(self, shown: bool, what: str):
-        self._what = what
+        self._what, self._said = what, shown
         self._begin = time.monotonic()
         self._shown = shown and (sys.stderr.isatty() or "ipykernel" in sys.modules)
 
@@ -23,6 +23,12 @@ class Progress:
     def __exit__(self, *error: object) -> None:
         if self._shown:
             print("\r\033[K", end="", file=sys.stderr, flush=True)
+
+    def say(self, line: str) -> None:
+        """A line of its own on standard error, also where that is no terminal."""
+        if self._said:
+            erase = "\r\033[K" if self._shown else ""
+            print(f"{erase}{self._what}: {line}", file=sys.stderr, flush=True)
 
     def show(self, part: float, text: str) -> None:
         """@param part from 0 to 1"""

@@ -22,6 +22,17 @@ def quantile(freedom, level=LEVEL):
     return float(special.stdtrit(freedom, 1.0 - 0.5 * level))
 
 
+def wilson(part, whole, level=LEVEL):
+    """The interval of a share of which `part` of `whole` were seen (Wilson, J. Am. Stat. Assoc. 22, 209 (1927)). It has
+    a width where all or none were.
+    @return (low, high)"""
+    z = float(special.ndtri(1.0 - 0.5 * level))
+    share, scale = part / whole, 1.0 + z * z / whole
+    half = z * math.sqrt(share * (1.0 - share) / whole + 0.25 * (z / whole) ** 2) / scale
+    centre = (share + 0.5 * z * z / whole) / scale
+    return (0.0 if part == 0 else centre - half), (1.0 if part == whole else centre + half)
+
+
 def chi_squared_tail(x, freedom):
     """The probability of more than x."""
     return float(special.chdtrc(freedom, x))

@@ -6,10 +6,10 @@ import os
 import pathlib
 import sqlite3
 import tempfile
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Union
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Union
 
 from . import _engine
-from .arguments import integer, mapping, path_of
+from .arguments import integer, mapping, number, path_of
 from .errors import ResultsError
 from .progress import Progress
 from .scene import AnyScene, Scene, _plain, scene_of
@@ -18,16 +18,18 @@ if TYPE_CHECKING:
     import pandas
 
 # Of the physics that has just been run: the file may keep results of earlier ones.
-_OWN = "SELECT cases.* FROM plan JOIN cases USING (run_hash) WHERE plan.sweep = " \
-       "(SELECT id FROM sweeps WHERE fingerprint = ?) AND physics = (SELECT MAX(physics) FROM cases) " \
-       "ORDER BY plan.position"
+_PLAN = "SELECT {} FROM plan {} WHERE plan.sweep = (SELECT id FROM sweeps WHERE fingerprint = ?) {} " \
+        "ORDER BY plan.position"
+_OWN = _PLAN.format("cases.*", "JOIN cases USING (run_hash)", "AND physics = (SELECT MAX(physics) FROM cases)")
+_PLANNED = _PLAN.format("run_hash", "", "")
 _ALL = "SELECT * FROM cases"
 
 
 def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
           zip: Optional[Mapping[str, Iterable]] = None, cases: Optional[list[Mapping[str, Any]]] = None,
           seeds: Union[int, tuple[int, int], Iterable[int], None] = None,
-          results: Union[str, os.PathLike, None] = None, threads: int = 0, progress: bool = True) -> pandas.DataFrame:
+          results: Union[str, os.PathLike, None] = None, threads: int = 0, budget: Optional[float] = None,
+          progress: Union[bool, Callable[[int, int, int], Any]] = True) -> pandas.DataFrame:
     """Runs a scene at many settings, as `sieve_sweep run` does: the product of grid, zip, cases and seeds.
 
     scene    a Scene, the path of a scene file, or a mapping
@@ -37,7 +39,11 @@ def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
     seeds    their number, from 1 on, a pair (first, count), or a list of them; None: the scene's own
     results  file that keeps the results (SQLite); a case that has one there is not run again. None: kept nowhere
     threads  0: one per processor
-    Returns a row for each case, in the order of the product, seeds fastest: see read_sweep().
+    budget   wall time [s] after which the runs under way are cut: their rows have the status "cut", and what they
+             measured until then; a later call with the same file continues them. Cases that were not begun have no row
+    progress whether to show a bar; or a function of the numbers of cases: done, failed, all
+    Returns a row for each case, in the order of the product, seeds fastest, in which the index counts them: see
+    read_sweep().
     Raises SceneError, ValueError before any case is run, ResultsError. After Ctrl-C a call with the same file goes on.
     """
     sweep_of: dict[str, Any] = {"scene": _without_folder(scene_of(scene))}
@@ -52,14 +58,29 @@ def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
     if seeds is not None:
         sweep_of["seed"] = _seeds(seeds)
     threads, kept = integer("threads", threads), None if results is None else path_of("results", results)
+    seconds = None if budget is None else number("budget", budget, 0.0, unit="s")
     text = json.dumps(sweep_of, default=_plain, ensure_ascii=False)
-    with tempfile.TemporaryDirectory() as directory, Progress(progress, "sweep") as bar:
+    with tempfile.TemporaryDirectory() as directory, Progress(progress is True, "sweep") as bar:
         path = kept or os.path.join(directory, "results.db")
-        fingerprint = _engine.sweep(
-            text, "sweep", os.fsencode(path), threads,
-            lambda done, failed, count: bar.show((done + failed) / max(count, 1),
-                                                 f"{done} of {count} cases" + (f", {failed} failed" if failed else "")))
-        return _read(path, _OWN, (fingerprint,))
+        show = progress if callable(progress) else lambda done, failed, count: bar.show(
+            (done + failed) / max(count, 1), f"{done} of {count} cases" + (f", {failed} failed" if failed else ""))
+        fingerprint, cut = _engine.sweep(text, "sweep", os.fsencode(path), threads, show, seconds)
+        table = _read(path, _OWN, (fingerprint,))
+        if seconds is None:
+            return table
+        return _with_cut(table, cut, _read(path, _PLANNED, (fingerprint,))["run_hash"])
+
+
+def _with_cut(table: pandas.DataFrame, cut: list, planned: pandas.Series) -> pandas.DataFrame:
+    """With the rows that were cut, each row numbered by its place in the plan."""
+    import pandas
+
+    parts = [part for part in (table, pandas.DataFrame(cut)) if len(part)]
+    if not parts:
+        return table
+    rows = pandas.concat(parts)
+    rows.index = pandas.Index(planned).get_indexer(rows["run_hash"])
+    return rows.sort_index()
 
 
 def _without_folder(scene: Scene) -> dict:
@@ -112,10 +133,10 @@ def _read(path: str, query: str, parameters: tuple) -> pandas.DataFrame:
         finally:
             connection.close()
         # SQLite has a seed of 2**63 or more as a text; version 1.0 rounded it, but for the summary's.
-        if len(table) and table["seed"].dtype.kind != "i":
+        if "seed" in table and len(table) and table["seed"].dtype.kind != "i":
             table["seed"] = [json.loads(summary)["seed"] if summary else int(seed)
                              for summary, seed in zip(table["summary"], table["seed"])]
-        table = table.drop(columns=["summary"])
+        table = table.drop(columns=["summary"], errors="ignore")
         # pandas takes a column in which no value is defined for one of texts. The copy is in one piece: to a table of
         # many pieces pandas adds a column with a warning.
         return table.astype({name: float for name in table if table[name].isna().all() and name != "error"}).copy()

@@ -17,6 +17,7 @@
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/summary.h"
+#include "ratchet_sieve/sweep/result_store.h"
 #include "ratchet_sieve/sweep/sweep.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
 #include "running_simulation.h"
@@ -141,18 +142,35 @@ std::optional<double> separation(const std::vector<std::pair<std::uint64_t, std:
   return bestSeparation(bins).separation;
 }
 
+/// The columns of a case that was cut, as the results file would have them.
+py::dict cutRow(const CaseResult& result)
+{
+  SummaryColumns columns = summaryColumns(result.summary);
+  const SummaryColumns own = rowOf(result);
+  columns.insert(columns.end(), own.begin(), own.end());
+  py::dict row;
+  for (const auto& [name, value] : columns)
+    row[name.c_str()] = toPython(value);
+  row["status"] = "cut";
+  return row;
+}
+
 /// Runs the cases of a sweep that have no result in the file.
 /// @param text of a sweep file @param progress called with the numbers of cases: done, failed, all; or None
-/// @return the sweep's fingerprint, by which the results file knows its cases
-std::string sweep(const std::string& text, const std::string& source, const std::string& results,
-                  std::size_t threads, const py::object& progress)
+/// @param seconds of wall time after which the cases under way are cut; or None
+/// @return the sweep's fingerprint, by which the results file knows its cases, and a row for each that was cut
+py::tuple sweep(const std::string& text, const std::string& source, const std::string& results,
+                std::size_t threads, const py::object& progress, const std::optional<double>& seconds)
 {
+  const Clock::time_point start = Clock::now();
   const Sweep sweep = sweepFromText(text, source);
   SignalWatch signals;
   std::atomic<bool> stop{false};
   const std::thread::id caller = std::this_thread::get_id();
   SweepRunOptions options;
   options.threads = threads;
+  if (seconds)
+    options.deadline = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
   options.stop_wanted = [&]
   {
     if (std::this_thread::get_id() == caller && signals.stopWanted())
@@ -170,7 +188,10 @@ std::string sweep(const std::string& text, const std::string& source, const std:
   signals.raise();
   if (outcome.threads < outcome.threads_wanted)
     warnPython(fewerThreadsText(outcome.threads, outcome.threads_wanted));
-  return sweep.fingerprint();
+  py::list cut;
+  for (const CaseResult& result : outcome.cut)
+    cut.append(cutRow(result));
+  return py::make_tuple(sweep.fingerprint(), cut);
 }
 
 }  // namespace
@@ -181,7 +202,7 @@ void bindRun(py::module_& module)
   module.def("run", &run, py::arg("simulation"), py::arg("frame_rate"), py::arg("collisions"),
              py::arg("threads"), py::arg("progress"));
   module.def("sweep", &sweep, py::arg("text"), py::arg("source"), py::arg("results"), py::arg("threads"),
-             py::arg("progress"));
+             py::arg("progress"), py::arg("seconds") = py::none());
   py::list kinds;
   for (const CollisionKind kind :
        {CollisionKind::DISK_DISK, CollisionKind::LEFT_SLOPE, CollisionKind::RIGHT_SLOPE, CollisionKind::APEX,

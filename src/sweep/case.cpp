@@ -51,8 +51,8 @@ public:
   {
   }
 
-  /// @return the summary, or nothing if stopped
-  std::optional<nlohmann::ordered_json> run(std::string& error)
+  /// @return the summary, or nothing if stopped before the run began
+  std::optional<nlohmann::ordered_json> run(std::string& error, bool& stopped)
   {
     std::optional<Checkpoint> start = begin();
     if (!start)
@@ -73,12 +73,11 @@ public:
       watchers.frames.push_back({record.sink.get(), record.rates});
     }
     RunOutcome outcome = runToEnd(start->simulation, watchers, start->progress);
-    if (outcome.end == RunEnd::STOPPED)
-      return std::nullopt;
+    stopped = outcome.end == RunEnd::STOPPED;
     if (outcome.end == RunEnd::STALLED)
       error = outcome.warnings.empty() ? "inelastic collapse" : outcome.warnings.front();
     outcome.warnings.insert(outcome.warnings.begin(), case_.warnings.begin(), case_.warnings.end());
-    if (record.keep)
+    if (record.keep && !stopped)
       write([&] { record.keep(outcome.warnings); });
     return summarize(start->simulation, outcome);
   }
@@ -225,9 +224,10 @@ std::optional<CaseResult> runCase(const SweepCase& sweep_case, const CaseRunOpti
 {
   const auto start = std::chrono::steady_clock::now();
   CaseResult result = resultFor(sweep_case);
+  bool stopped = false;
   try
   {
-    std::optional<nlohmann::ordered_json> summary = CaseRun(sweep_case, options).run(result.error);
+    std::optional<nlohmann::ordered_json> summary = CaseRun(sweep_case, options).run(result.error, stopped);
     if (!summary)
       return std::nullopt;
     result.summary = std::move(*summary);
@@ -237,7 +237,11 @@ std::optional<CaseResult> runCase(const SweepCase& sweep_case, const CaseRunOpti
     result.error = errorText(error);
   }
   result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
+  if (!stopped)
+    return result;
+  if (options.take_stopped)
+    options.take_stopped(result);
+  return std::nullopt;
 }
 
 }  // namespace ratchet_sieve

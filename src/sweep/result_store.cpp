@@ -162,7 +162,7 @@ std::optional<std::string> ResultStore::statusOf(const std::string& run_hash) co
   return status.is_null() ? std::nullopt : std::optional(status.get<std::string>());
 }
 
-void ResultStore::record(const CaseResult& result)
+SummaryColumns rowOf(const CaseResult& result)
 {
   const bool done = result.error.empty();
   Json text = nullptr;  // of the summary
@@ -180,6 +180,12 @@ void ResultStore::record(const CaseResult& result)
                         {"physics", PHYSICS_VERSION}};
   for (const auto& [key, value] : result.values)
     row.emplace_back(key, sqlValue(value));
+  return row;
+}
+
+void ResultStore::record(const CaseResult& result)
+{
+  SummaryColumns row = rowOf(result);
   std::set<std::string> known = columns();
   addScalars(result.summary, known, row);
   insert(row, known);

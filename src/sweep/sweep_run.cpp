@@ -11,6 +11,7 @@
 #include <set>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "ratchet_sieve/core/physics_version.h"
@@ -107,10 +108,14 @@ public:
   /// Once it is so, it stays.
   bool stopWanted()
   {
-    if (options_.stop_wanted && options_.stop_wanted())
+    if ((options_.stop_wanted && options_.stop_wanted()) ||
+        (options_.deadline && std::chrono::steady_clock::now() > *options_.deadline))
       stop_ = true;
     return stop_;
   }
+
+  /// Of the cases that were stopped, once run() has ended.
+  std::vector<CaseResult> cut() { return std::move(cut_); }
 
 private:
   /// Whether to stop is asked here as well: it may be that this thread alone can tell.
@@ -191,6 +196,12 @@ private:
     options.checkpoint_period = options_.checkpoint_period;
     options.stop_wanted = [this] { return stopWanted(); };
     options.warn = options_.warn;
+    if (options_.deadline)
+      options.take_stopped = [this](const CaseResult& result)
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        cut_.push_back(result);
+      };
     return runCase(next, options);
   }
 
@@ -205,7 +216,8 @@ private:
   SweepResults& results_;
   std::atomic<bool> stop_{false};
   std::atomic<std::size_t> unsaved_{0};  ///< results lost by an error
-  std::mutex mutex_;                     ///< of the ledger and the results
+  std::mutex mutex_;                     ///< of the ledger, the results and those below
+  std::vector<CaseResult> cut_;
   SweepLedger ledger_;
   std::vector<std::future<void>> threads_;
 };
@@ -269,6 +281,7 @@ SweepOutcome runSweep(const Sweep& sweep, const std::string& path, const SweepRu
     SweepRun run(sweep, *results, options);
     outcome.threads = run.run(outcome.threads_wanted);
     outcome.stopped = run.stopWanted();
+    outcome.cut = run.cut();
   }
   results->fillValues();
   outcome.counts = results->counts();

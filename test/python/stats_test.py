@@ -3,7 +3,7 @@ import random
 import statistics
 import unittest
 
-from ratchet_sieve.stats import Mean, chi_squared_tail, holm, jackknife, mean_of, quantile, signs, two_sided, variance_of
+from ratchet_sieve.stats import Mean, chi_squared_tail, holm, jackknife, mean_of, quantile, signs, two_sided, variance_of, wilson
 
 
 class Means(unittest.TestCase):
@@ -23,6 +23,15 @@ class Means(unittest.TestCase):
         self.assertEqual(Mean(-0.01234, 0.0004, 8).text(1e3), "−12.3 ± 0.4")
         self.assertEqual(Mean(0.01234, 0.00014, 8).text(1e3), "12.34 ± 0.14")
         self.assertEqual(Mean(-0.00001, 0.0004, 8).text(1e3), "0.0 ± 0.4")
+
+    def test_intervals_of_shares(self):
+        # Newcombe, Statist. Med. 17, 857 (1998), table I, method 3.
+        for part, whole, low, high in ((81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0.0, 0.1611),
+                                       (1, 29, 0.0061, 0.1718)):
+            for got, printed in zip(wilson(part, whole), (low, high)):
+                self.assertAlmostEqual(got, printed, places=4)
+        self.assertEqual(wilson(20, 20)[1], 1.0)
+        self.assertAlmostEqual(wilson(20, 20)[0], 1.0 - 0.1611, places=4)
 
     def test_sure_is_an_interval_of_95_percent(self):
         # Abramowitz and Stegun, Handbook of Mathematical Functions (1964), table 26.10.

@@ -3,6 +3,7 @@ import io
 
 import matplotlib
 import numpy as np
+import pandas
 import pytest
 
 import ratchet_sieve as rs
@@ -159,3 +160,24 @@ def test_a_run_without_frames_has_no_pictures_of_them():
     for draw in (rs.plots.displacements, rs.plots.tracks, rs.plots.bins, rs.Run.animate):
         with pytest.raises(ValueError, match="the run has no frames"):
             draw(run)
+
+
+def test_a_sweep_that_is_cut_hands_out_what_it_has_and_goes_on_later_with_the_same_bits(tmp_path):
+    scene, results = rs.Scene(SCENE, {"boundary": "periodic", "duration": 1e6}), tmp_path / "runs.db"
+    cut = rs.sweep(scene, seeds=(3, 4), results=results, threads=1, budget=0.2, progress=False)
+    assert list(cut.status) == ["cut"] and list(cut.seed) == [3] and cut.index.tolist() == [0]
+    assert 0.0 < cut.simulated_time[0] < 1e6 and cut["mean_vx.A"].notna().all() and rs.read_sweep(results).empty
+    shorter = scene.replace(duration=60.0)
+    for budget in (0.1, None):
+        whole = rs.sweep(shorter, seeds=(3, 4), results=results, budget=budget, progress=False)
+    again = rs.sweep(shorter, seeds=(3, 4), progress=False)
+    pandas.testing.assert_frame_equal(*(rows.drop(columns=["wall_time", "host"]) for rows in (whole, again)))
+    assert rs.sweep(shorter, seeds=(3, 4), results=results, budget=100.0).index.tolist() == [0, 1, 2, 3]
+    with pytest.raises(ValueError, match="budget = -1"):
+        rs.sweep(scene, budget=-1)
+
+
+def test_a_sweep_tells_a_function_how_far_it_is(scene):
+    told = []
+    rs.sweep(scene, seeds=2, progress=lambda *counts: told.append(counts))
+    assert told[-1] == (2, 0, 2)

@@ -104,6 +104,7 @@ struct CaseRunOptions
   std::function<bool()> stop_wanted;             ///< polled several times a second
   std::function<void(const std::string&)> warn;  ///< called for problems that do not end the case
   OpenRecord record;                             ///< @pre there is no checkpoint
+  std::function<void(const CaseResult&)> take_stopped;  ///< takes what a run that is stopped has until then
 };
 
 /// A simulation at its beginning; nothing if it was stopped while its disks were placed.

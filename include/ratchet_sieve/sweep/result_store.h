@@ -50,6 +50,9 @@ private:
   Database database_;
 };
 
+/// What the file has of a case, but for the summary's scalars.
+SummaryColumns rowOf(const CaseResult& result);
+
 /// YAML text as an integer, a number or text, according to its form; nothing as null.
 nlohmann::ordered_json sqlValue(const std::optional<std::string>& value);
 

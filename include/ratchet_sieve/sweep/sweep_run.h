@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,8 @@ struct SweepRunOptions
   std::function<void(const SweepProgress&)> progress;
   std::function<void(const std::string&)> warn;  ///< may be called by any thread
   OpenRecord record;                             ///< of cases, which then have no checkpoints
+  /// When all runs are to stop, each at its next check, and count for what they have until then.
+  std::optional<std::chrono::steady_clock::time_point> deadline;
 };
 
 /// The state of a sweep when this process leaves it.
@@ -31,6 +35,9 @@ struct SweepOutcome
   bool stopped = false;
   std::size_t threads = 0;  ///< that ran cases: fewer than wanted, if the system provides no more
   std::size_t threads_wanted = 0;
+  /// Of the cases that were stopped, where there is a deadline: the results file has none. A later run continues
+  /// them.
+  std::vector<CaseResult> cut;
 };
 
 /// Runs the cases of a sweep, or of its part, that have no result in the results file at the path. The cases

@@ -14,6 +14,7 @@ from .machine import WITHIN, Machine
 from .search import Search
 
 SHARE_OF_SEARCH = 0.6  # of the budget: the rest is for the fresh runs
+SHARE_OF_END = 0.03    # of it, to put the answer together
 _UNITS = {"": 1.0, "s": 1.0, "min": 60.0, "h": 3600.0}
 
 
@@ -26,15 +27,17 @@ def separate(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, within
     over      dotted key -> (from, to)
     within    no other setting is better by more than this, and half the width of the result's interval, both at 95 %;
               default 0.02, of a machine without open ends 0.001 m/s
-    budget    wall time [s], or a text such as "2 min", after which runs begin only to measure the best with fresh
-              seeds once; None: as long as it takes
+    budget    wall time [s], or a text such as "2 min", by which the call ends: its runs are cut and count for what
+              they have. The last 40 % of it are for the best with fresh seeds. None: as long as it takes
     goal      a column of a sweep's results (docs/sweeps.md) that is to be large, such as "purity.left.mass.A", in
               place of the separation; `within` is then required, in its units
     seed      of the search and of the runs: the same gives the same answer, where no budget ends it
     results   file that keeps the runs (SQLite): the same call continues. None: kept nowhere
     threads   0: one per processor
+    progress  whether to say on standard error what it will cost, and to show a bar in a terminal or a notebook
     Raises SceneError, ValueError before anything runs, RuntimeError where the machine works nowhere. Ctrl-C and the end
-    of the budget give the answer so far, with a warning; before there is any, KeyboardInterrupt and ValueError.
+    of the budget give the answer so far, with a warning; before there is any, KeyboardInterrupt and ValueError. After
+    Ctrl-C the best gets fresh seeds for 2 s, or a tenth of the time so far; a second one ends that.
     """
     machine = Machine(scene, over, goal)
     if within is None and goal is not None:
@@ -43,12 +46,20 @@ def separate(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, within
     if within <= 0.0 or machine.kind != "closed" and machine.is_signed and within >= 1.0:
         raise ValueError(f"within = {within!r}: must be above 0" + ("" if within <= 0.0 else " and below 1"))
     seconds = _seconds(budget)
-    begin = time.monotonic()
-    search = Search(machine, within, seed,
-                    None if seconds is None else begin + SHARE_OF_SEARCH * seconds,
-                    threads=integer("threads", threads), results=results)
+    limit = Budget(seconds, time.monotonic())
+    search = Search(machine, within, seed, threads=integer("threads", threads), results=results)
     with Progress(progress, "separate") as bar:
-        return answer_of(search, None if seconds is None else begin + seconds, bar)
+        return answer_of(search, limit, bar)
+
+
+class Budget:
+    """Wall time. @ivar seconds of it; of_search, end of time.monotonic(): when the search and the call end. None: no
+    limit"""
+
+    def __init__(self, seconds: Optional[float], begin: float):
+        self.seconds = seconds
+        self.of_search = None if seconds is None else begin + SHARE_OF_SEARCH * seconds
+        self.end = None if seconds is None else begin + (1.0 - SHARE_OF_END) * seconds
 
 
 def _seconds(budget: Union[float, str, None]) -> Optional[float]:

@@ -29,7 +29,7 @@ MOST_ROWS = 40  # of the page's table
 
 @dataclasses.dataclass(frozen=True)
 class Interval:
-    """A mean and half the width of its interval at 95 % (None: of one run); `count` runs, 0: of a surface."""
+    """A mean and half the width of its interval at 95 % (None: not known); `count` runs, 0: of a surface."""
 
     value: float
     half_width: Optional[float]
@@ -52,13 +52,17 @@ class Interval:
 class Answer:
     """Which settings part the kinds best.
 
-    best        key -> value; None where nothing is separated
+    best        key -> value; None where nothing is separated. Without an interval the best so far
     separation  Interval of the goal at the best, from runs with fresh seeds; signed: above 0 the first species of the
                 scene leaves more to the left. In a closed machine the difference of mean velocities, first less
                 second [m/s]; with a goal of the user's, that number
-    separated   whether the interval does not contain 0
+    separated   whether the interval is known and does not contain 0
     bound       |value| is not above this at any setting, at 95 % of all together, by the surface
-    as_good     DataFrame: settings that cannot be told from the best, with the surface's value and half_width there
+    as_good     DataFrame: settings that cannot be told from the best: the surface's value and half_width, by how much
+                each `may_lose` against the best (95 %), and of the nearest run `processed` (P), `throughput` [1/s],
+                disks `inside` while steady, and `warnings`
+    inside      disks in a fed machine while it is steady
+    stages      of next_stage(): products over all stages and their balance, see there
     feed        what is fed: .number.A, .mass.A
     throughput  disks [1/s], mass [kg/s] of the one plane of disks, mass_per_depth [kg/(s m)]: planes side by side, each
                 as thick as the mean diameter `depth` [m]. None in a closed machine
@@ -66,8 +70,10 @@ class Answer:
     floor       what changes with half of contact.min_rebound_speed: .from, .to [m/s], .change, .depends; None: not
                 checked
     warnings    texts: what was cut short, a setting at the end of its range, warnings of the runs
-    cost        runs, simulated [s], processor [s] and seconds [s of wall time], both of this call
-    map         DataFrame: the surface over the ranges, with its half_width
+    cost        runs, simulated [s], processor [s] and seconds [s of wall time], both of this call; `announced` before
+                the first run [s of wall time]
+    map         DataFrame: the surface over the ranges, with its half_width; `why` the machine is no answer there, as
+                choked, still filling: "" where it is one
     runs        DataFrame: a row for each run, as of a sweep
     seen        DataFrame: the value of each run and its variance
     """
@@ -88,6 +94,9 @@ class Answer:
     runs: pandas.DataFrame
     seen: pandas.DataFrame
     floor: Any = None
+    inside: Optional[Interval] = None
+    stages: Optional[Values] = None
+    chain: Any = None
 
     @property
     def scene(self) -> Any:
@@ -114,26 +123,31 @@ class Answer:
     def _lines(self) -> list[str]:
         unit = " m/s" if self.machine.kind == "closed" and self.machine.is_signed else ""
         goal = self.machine.goal
-        if not self.separated:
+        if self.best is None:
             lines = [f"not separated: |{goal}| < {at_most(self.bound)}{unit} at 95 % everywhere"
                      if self.bound < self.within else
                      f"not separated: {goal} {self.separation}{unit} at the best setting, "
                      f"below {at_most(self.bound)}{unit} at 95 % everywhere"]
         else:
             at = ", ".join(f"{key} = {_with_unit(key, value)}" for key, value in (self.best or {}).items())
-            source = f"{counted(self.separation.count, 'run')} with fresh seeds" if self.separation.count else \
-                "from the search's own runs"
-            lines = [f"{goal} {self.separation}{unit} (95 %, {source})" + self._way(), f"at {at}",
-                     f"as good: {self._region()}"]
+            source = f"95 %, {counted(self.separation.count, 'run')} with fresh seeds" if self.separation.count else \
+                "no interval: of the search's own runs"
+            lines = [f"{goal} {self.separation}{unit} ({source})" + self._way(), f"at {at}",
+                     f"as good: {self._region()}; the worst of them may lose "
+                     f"{at_most(self.as_good.may_lose.max())}{unit}"]
             lines += self._products() if self.purity else []
-        if self.separated and self.throughput:
+        if self.best and self.throughput:
             per = self.throughput
             lines.append(f"throughput {per.disks} disks/s; {_grams(per.mass)} g/s in one plane of disks; "
                          f"{_grams(per.mass_per_depth)} g/s per metre of depth, as of planes {1e3 * per.depth:.3g} mm "
                          "thick")
-        if self.separated and self.floor:
+        if self.best and self.floor:
             lines.append(f"with half of contact.min_rebound_speed: changes by {self.floor.change}, "
                          + ("it depends on it" if self.floor.depends else "no dependence seen"))
+        for product in self.stages.products if self.stages else ():
+            lines.append(f"product {product.stage} {product.side}: " + "; ".join(
+                f"{name} purity {product.purity.mass[name]} by mass, recovery {product.recovery.mass[name]}"
+                for name in self.machine.scene.species) + f"; {_grams(product.throughput)} g/s in one plane of disks")
         lines.append(f"cost: {counted(self.cost.runs, 'run')}, {self.cost.simulated:.4g} s simulated, "
                      f"{self.cost.processor:.3g} s of processor time")
         return lines + [f"warning: {text}" for text in self.warnings]
@@ -166,6 +180,26 @@ class Answer:
                           for key in self.machine.keys)
         return f"{spans} ({100.0 * part:.0f} % of the ranges)"
 
+    def next_stage(self, side: str, over: Any, **options: Any) -> Answer:
+        """The machine that takes what leaves this one, at its best settings, at a side: a search of its own, whose
+        scene is fed at the rate, in the numbers and with the sizes that leave. Of the best of it `stages` has, from
+        runs of all stages, each fed with the very grains that leave the one before:
+
+        products   what no further stage takes: stage, side, throughput [kg/s], purity and recovery (of all that is
+                   fed) by mass and by number, with intervals
+        balance    of one such run: grains fed, at each end, and inside of each stage
+
+        side     "left" or "right"
+        over     ranges of the next machine's keys; else it is as this one
+        options  of separate()
+        Raises ValueError, also for a machine that is not fed, or where nothing leaves there. Warns where the stage
+        undoes this one.
+        """
+        from . import separate
+        from .stages import next_stage
+
+        return next_stage(self, side, over, separate, **options)
+
     def plot(self, axes: Any = None) -> Any:
         """Draws the surface with the settings that are as good. Returns matplotlib's axes."""
         from ratchet_sieve.plots.answer import draw
@@ -174,8 +208,8 @@ class Answer:
 
     def as_json(self) -> dict:
         """As `sieve_separate --json` writes it; what is undefined is None."""
-        names = ("best", "separation", "separated", "bound", "throughput", "feed", "purity", "recovery", "floor",
-                 "warnings", "cost")
+        names = ("best", "separation", "separated", "bound", "throughput", "feed", "purity", "recovery", "inside",
+                 "floor", "stages", "warnings", "cost")
         return {"goal": self.machine.goal, "within": self.within,
                 **{name: _plain(getattr(self, name)) for name in names},
                 "as_good": json.loads(self.as_good.to_json(orient="records", double_precision=6))}
@@ -189,7 +223,7 @@ class Answer:
 
     def _page(self) -> str:
         return PAGE.format(title=html.escape(f"Which settings part {' and '.join(self.machine.scene.species)}"),
-                           text=html.escape(str(self)), rest=self._map_and_table() if self.separated else "")
+                           text=html.escape(str(self)), rest=self._map_and_table() if self.best else "")
 
     def _map_and_table(self) -> str:
         from ratchet_sieve.plots.style import styled
@@ -222,4 +256,6 @@ def _plain(value: Any) -> Any:
         return {"value": value.value, "half_width": value.half_width, "count": value.count}
     if isinstance(value, dict):
         return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_plain(item) for item in value]
     return value

@@ -6,6 +6,9 @@ import pandas
 
 from ratchet_sieve import stats
 from ratchet_sieve.answers.answer import Answer, Interval
+from ratchet_sieve.answers.cost import announce, duration, idle_text, whys
+from ratchet_sieve.answers.machine import flow_of
+from ratchet_sieve.answers.intervals import interval_of, products_of
 from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
 from ratchet_sieve.texts import at_most, counted
 from ratchet_sieve.values import Values
@@ -14,36 +17,64 @@ FRESH = 12          # runs of the best setting at a time
 MOST_FRESH = 192
 LONG_ENOUGH = 20.0  # mean times in the machine that such a run of a fed machine lasts at least
 EXPECTED = 2.4      # half the width of the interval that is aimed at, in standard errors
-MOST_DOUBLINGS = 5  # of the first runs of a fed machine that most disks have not left
+MOST_DOUBLINGS = 4  # of the first runs of a fed machine that have not settled
+LEAST_WORKING = 0.8  # of the fresh runs that must say something
+FEWER_FRESH = (FRESH, 8, 6, 4)  # of them, as the budget has it
+AFFORDABLE = 0.9    # of what is left of the budget: the runs differ in cost
+LEAST_PART = 0.1    # of the shortest run
+AFTER_INTERRUPT, OF_INTERRUPTED = 2.0, 0.1  # for fresh runs after an interrupt: [s], and of the time so far
 INTERRUPTED = "interrupted: the answer so far; the same call with the same results continues"
 EDGE = 0.02         # of a range: nearer to its end than this is at its edge
 FLOOR = "contact.min_rebound_speed"
-SIDES = ("left", "right")
 
 
-def answer_of(search, deadline, bar):
+def answer_of(search, budget, bar):
     """Searches, measures the best setting with fresh seeds, and puts the answer together.
-    @param deadline of time.monotonic(), or None. @param bar a Progress
+    @param budget a Budget. @param bar a Progress
     @throws RuntimeError the machine works nowhere. @throws ValueError the budget ends before there is an answer"""
-    begin, notes, fresh, floor = (time.monotonic(), time.process_time()), [], Fresh(), None
+    clocks, notes, fresh, floor = (time.monotonic(), time.process_time()), [], Fresh(), None
+    lines, announced = announce(search, budget.seconds, search.within / EXPECTED)
+    for line in lines:
+        bar.say(line)
+    notes += idle_text(search)
     try:
-        _first_runs(search, deadline, bar)
+        search.deadline = budget.of_search
+        _first_runs(search, bar)
         while True:
-            _search(search, bar)
-            if search.nowhere() or _fresh_runs(search, deadline, bar, fresh, notes):
+            _search(search, bar, announced)
+            late = search.is_late()
+            search.deadline = budget.end
+            if search.nowhere() or _fresh_runs(search, bar, fresh, notes):
                 break
+            search.deadline = budget.of_search
         search.assess(best=search.best)  # with the fresh runs as well
-        if len(fresh.rows) and not _is_over(deadline):
+        if len(fresh.rows) and not search.is_late():
             floor = _floor(search, fresh.rows)
     except KeyboardInterrupt:
-        if len(search.runs) < len(search.first()) or not search.assess():
-            raise
+        late = False
         notes.append(INTERRUPTED)
+        _interrupted(search, bar, fresh, clocks[0])
     left = float(search.may.max())
     if left > search.within and not search.nowhere() and INTERRUPTED not in notes:
-        notes.append(f"the {'budget' if search.is_late() else 'limit of runs'} ended the search: another setting "
+        notes.append(f"the {'budget' if late else 'limit of runs'} ended the search: another setting "
                      f"may be better by {at_most(left)}")
-    return _answer(search, fresh.working(search.machine, notes), notes, floor, begin)
+    return _answer(search, fresh.working(search.machine, notes), notes, floor, clocks, announced)
+
+
+def _interrupted(search, bar, fresh, begin):
+    """One short round of fresh runs, which a second interrupt ends. Raises KeyboardInterrupt where nothing is known."""
+    if not search.assess(best=search.best if len(fresh.rows) else None):
+        raise KeyboardInterrupt
+    if len(fresh.rows) >= FRESH:
+        return
+    now = time.monotonic()
+    search.deadline = now + max(AFTER_INTERRUPT, OF_INTERRUPTED * (now - begin))
+    bar.show(0.9, "interrupted: the best with fresh seeds; again ends at once")
+    try:
+        _fresh_runs(search, bar, fresh, [])
+    except KeyboardInterrupt:
+        pass
+    search.assess(best=search.best)
 
 
 class Fresh:
@@ -56,45 +87,42 @@ class Fresh:
         """@return those in which the machine works; None: there are none"""
         if not len(self.rows):
             return None
-        works = machine.observed(self.rows)["value"].notna()
+        seen = machine.observed(self.rows)
+        works = seen["value"].notna()
         if not works.all():
-            notes.append(f"{(~works).sum()} of the {counted(len(works), 'fresh run')} are left out: there the machine "
-                         "was " + _WHY[machine.kind])
+            notes.append(f"of {counted(len(works), 'fresh run')} some are left out: {whys(seen)}")
         return self.rows[works] if works.sum() > 1 else None
 
 
-def _is_over(deadline):
-    return deadline is not None and time.monotonic() > deadline
-
-
-def _search(search, bar):
+def _search(search, bar, announced):
     while True:
         if not search.assess():
-            raise RuntimeError(f"the machine works nowhere in these ranges: in {counted(len(search.runs), 'run')} "
-                               f"it was {_WHY[search.machine.kind]}")
-        bar.show(0.3 + 0.5 * min(search.within / max(float(search.may.max()), 1e-9), 1.0), _so_far(search))
+            reasons = whys(search.machine.observed(search.runs)) if len(search.runs) else "none has ended"
+            runs = f"in {counted(len(search.runs), 'run')}: {reasons}"
+            if search.is_late():
+                raise ValueError(f"budget: too small for any answer, of about {duration(announced)}: {runs}")
+            raise RuntimeError(f"the machine works nowhere in these ranges: {runs}")
+        part, text = 0.3 + 0.5 * min(search.within / max(float(search.may.max()), 1e-9), 1.0), _so_far(search)
+        search.show = lambda done: bar.show(part, f"{text}; {done}")
+        bar.show(part, text)
         chosen, durations = search.chosen()
         if not len(chosen):
             break
         search.measure(chosen, durations)
 
 
-def _first_runs(search, deadline, bar, doublings=0):
-    """Longer ones in place of those that were too short."""
+def _first_runs(search, bar):
+    """And longer ones, as long as most of them have not settled."""
     first = search.first()
-    for k in range(0, len(first), BATCH):
-        search.measure(first[k:k + BATCH], np.ones(len(first[k:k + BATCH])))
-        bar.show(0.3 * (k + BATCH) / len(first), counted(len(search.runs), "run"))
-        if _is_over(deadline) and k + BATCH < len(first):
-            raise ValueError(f"budget: too small for any answer: it ended after {len(search.runs)} of the first "
-                             f"{len(first)} runs")
-    if search.is_too_short() and doublings < MOST_DOUBLINGS:
-        search.machine.shortest *= 2.0
-        _first_runs(search, deadline, bar, doublings + 1)
-
-
-_WHY = {"fed": "choked, or too few of its disks left", "poured": "not emptied by half, or too few of its disks left",
-        "closed": "too short to tell a mean velocity"}
+    units, doublings = [1.0] * len(first), 0
+    while len(first) and not search.is_late() and doublings <= MOST_DOUBLINGS:
+        for k in range(0, len(first), BATCH):
+            search.show = lambda done: bar.show(0.3 * k / len(first), f"{counted(len(search.runs), 'run')}; {done}")
+            search.measure(first[k:k + BATCH], units[k:k + BATCH])
+            if search.is_late():
+                break
+        doublings += 1
+        first, units = search.unsettled() if len(search.runs) else (first, units)
 
 
 def _so_far(search):
@@ -103,57 +131,79 @@ def _so_far(search):
     return f"{counted(len(search.runs), 'run')}, best {search.value[k]:.3g} ± {Z * search.error[k]:.1g} at {at}"
 
 
-def _fresh_runs(search, deadline, bar, fresh, notes):
+def _fresh_runs(search, bar, fresh, notes):
     """Runs of the best setting until the interval of their mean is as narrow as `within`.
     @param fresh gets the runs. @return False where the machine does not work there, as a rule"""
     machine = search.machine
-    duration = search.final_duration(FRESH, search.within / EXPECTED, LONG_ENOUGH)
-    if deadline is not None:
-        duration = max(min(duration, search.affordable(FRESH, deadline)), machine.shortest)
-    fresh.rows = pandas.DataFrame()
+    runs, length = FRESH, search.final_duration(FRESH, search.within / EXPECTED, LONG_ENOUGH)
+    if search.deadline is not None:
+        runs, length = _affordable(search, length)
+    fresh.rows, longer = pandas.DataFrame(), False
     while True:
-        rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(FRESH, duration)], ignore_index=True)
-        mean = stats.mean_of(machine.observed(rows)["value"].dropna())
-        if (not mean or mean.count < 0.8 * len(rows)) and not _is_over(deadline):
+        search.show = lambda done: bar.show(0.8, f"{done} fresh runs")
+        rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(runs, length)], ignore_index=True)
+        seen = machine.observed(rows) if len(rows) else None
+        if not search.is_late() and seen["value"].notna().sum() < max(LEAST_WORKING * len(rows), 2):
             fresh.rows = pandas.DataFrame()
+            if seen["open"].any() and not longer:
+                length, longer = 2.0 * length, True
+                continue
+            search.close(whys(seen))
+            at = ", ".join(f"{key} = {value:g}" for key, value in machine.settings(search.grid[search.best]).items())
+            notes.append(f"{at} is left out: of {counted(len(rows), 'fresh run')} {whys(seen)}")
             return False
-        if mean and mean.count > 1:
-            width = mean.half_width()
-            bar.show(0.8 + 0.2 * min((search.within / max(width, 1e-9)) ** 2, 1.0),
-                     f"{mean.value:.3g} ± {width:.2g} from {counted(mean.count, 'fresh run')}")
-            if width <= search.within:
+        mean = None if seen is None else interval_of(machine, rows[seen["value"].notna()])
+        if mean and mean.half_width is not None:
+            bar.show(0.8 + 0.2 * min((search.within / max(mean.half_width, 1e-9)) ** 2, 1.0),
+                     f"{mean.value:.3g} ± {mean.half_width:.2g} from {counted(mean.count, 'fresh run')}")
+            if mean.half_width <= search.within:
                 return True
-        if len(rows) >= MOST_FRESH or _is_over(deadline):
+        if len(rows) >= MOST_FRESH or search.is_late():
             notes.append("the fresh runs ended before their interval was as narrow as wanted")
             return True
 
 
-def _answer(search, fresh, notes, floor, begin):
+def _affordable(search, length):
+    """@return how many runs, and how long, that end by the deadline: few, where many would be too short"""
+    for runs in FEWER_FRESH:
+        longest = AFFORDABLE * search.affordable(runs, search.deadline)
+        if longest >= search.machine.shortest:
+            break
+    return runs, max(min(length, longest), LEAST_PART * search.machine.shortest)
+
+
+def _answer(search, fresh, notes, floor, clocks, announced):
     if search.machine.kind == "closed" and search.machine.is_signed:
         notes.insert(0, "nothing leaves a machine without open ends: the goal is how fast the kinds drift apart")
     machine, settings = search.machine, search.machine.settings(search.grid[search.best])
-    mean = None if fresh is None else stats.mean_of(machine.observed(fresh)["value"].dropna())
-    if mean and mean.count > 1:
-        found = Interval.of(mean)
-    else:
-        found = Interval(float(search.value[search.best]), float(Z * search.error[search.best]), 0)
+    found = None if fresh is None else interval_of(machine, fresh)
+    if found is None or found.half_width is None:
+        found = Interval(float(search.value[search.best]), None, 0)
         if not search.nowhere():
-            notes.append("the separation is of the search's own runs: they chose the setting, so that it is too large")
+            notes.append(f"the {machine.goal} has no interval: it is of the search's own runs, which chose the setting, "
+                         "so that it is too large")
     if search.too_costly.any():
         notes.append(f"{100.0 * search.too_costly.mean():.2g} % of the ranges are left out: there a simulated second "
                      f"costs more than {COSTLIEST:g} times the usual, as on a nearly choked base")
-    separated = not machine.is_signed or not search.nowhere() and abs(found.value) > found.half_width
-    if separated:
+    silent = pandas.Series(np.where(search.works, "", search.why)).replace("", np.nan).value_counts(normalize=True)
+    share = np.mean(~search.works & (search.why != ""))
+    if share > 0.0:
+        notes.append(f"no answer in {100.0 * share:.2g} % of the ranges: "
+                     + ", ".join(f"{why} in {100.0 * share * part:.2g} %" for why, part in silent.items()))
+    known = found.half_width is not None
+    separated = known and not search.nowhere() and abs(found.value) > found.half_width
+    best = separated or not known and not search.nowhere()
+    if best:
         notes += _edges(machine, settings)
     rows, surface = search.runs, _map(search)
     if fresh is not None:  # each of its warnings once
         notes += dict.fromkeys(filter(None, "\n".join(map(str, fresh["warning_text"].dropna())).splitlines()))
-    cost = Values(runs=len(rows), simulated=float(rows["simulated_time"].sum()),
-                  processor=time.process_time() - begin[1], seconds=time.monotonic() - begin[0])
-    return Answer(machine=machine, best=settings if separated else None, separation=found, separated=separated,
-                  bound=search.bound, within=search.within, as_good=_as_good(search, surface, separated), map=surface,
+    cost = Values(runs=len(rows), simulated=float(rows["simulated_time"].sum()), announced=announced,
+                  processor=time.process_time() - clocks[1], seconds=time.monotonic() - clocks[0])
+    return Answer(machine=machine, best=settings if best else None, separation=found, separated=separated,
+                  bound=search.bound, within=search.within, as_good=_as_good(search, surface, best), map=surface,
                   runs=rows, seen=machine.observed(rows), cost=cost, floor=floor, warnings=notes,
-                  **_of_products(machine, fresh))
+                  **products_of(machine, fresh))
 
 
 def _floor(search, fresh):
@@ -164,6 +214,8 @@ def _floor(search, fresh):
     if speed == 0.0:
         return None
     lower = search.lowered({FLOOR: 0.5 * speed}, len(fresh) // 2, fresh)
+    if not len(lower):
+        return None
     means = [stats.mean_of(machine.observed(rows)["value"].dropna()) for rows in (lower, fresh)]
     if not all(mean and mean.count > 1 for mean in means):
         return None
@@ -180,39 +232,20 @@ def _edges(machine, settings):
 
 
 def _map(search):
-    """The surface: a row for each place of the grid."""
+    """The surface: a row for each place of the grid, with what the nearest run says of the machine there."""
     places = pandas.DataFrame([search.machine.settings(place) for place in search.grid])
-    return places.assign(value=np.where(search.works, search.value, np.nan),
-                         half_width=np.where(search.works, Z * search.error, np.nan),
-                         as_good=search.works & (search.may >= 0.0))
+    works = search.works & (search.why == "")
+    rows = search.runs.iloc[search.last].reset_index(drop=True)
+    fields = {"processed": rows["processed"], "throughput": flow_of(rows),
+              "inside": rows.get("steady.inside.value"), "warnings": rows["warning_text"].fillna("")}
+    return places.assign(value=np.where(works, search.value, np.nan),
+                         half_width=np.where(works, Z * search.error, np.nan),
+                         as_good=works & (search.may >= 0.0), may_lose=np.where(works, search.loss, np.nan),
+                         **({} if search.machine.kind == "closed" else fields), why=search.why)
 
 
-def _as_good(search, table, separated):
+def _as_good(search, table, best):
     """Of the map the rows that cannot be told from the best, the highest first."""
-    good = table[table.as_good if separated else search.works].drop(columns="as_good")
+    good = table[table.as_good if best else search.works].drop(columns=["as_good", "why"])
     return good.sort_values("value", key=abs if search.machine.is_signed else None, ascending=False,
                             ignore_index=True)
-
-
-def _of_products(machine, fresh):
-    """What leaves, of the fresh runs: means over them with intervals."""
-    if fresh is None or machine.kind == "closed":
-        return {"throughput": None, "purity": None, "recovery": None}
-    names = machine.scene.species
-
-    def mean(values):
-        found = stats.mean_of(np.asarray(values, dtype=float)[np.isfinite(np.asarray(values, dtype=float))])
-        return found and Interval.of(found)
-
-    shares = {what: Values((side, Values((by, Values((name, mean(fresh[f"{what}.{side}.{by}.{name}"]))
-                                                     for name in names)) for by in ("number", "mass")))
-                           for side in SIDES) for what in ("purity", "recovery")}
-    seconds = fresh["simulated_time"]
-    flow = fresh[[f"mass_flow.{side}.mean.{name}" for side in SIDES for name in names]].sum(axis=1)
-    left = fresh[[f"{side}.{name}" for side in SIDES for name in names]].sum(axis=1)
-    radii = np.array([machine.scene[f"species.{k}.radius"] for k in range(len(names))])
-    counts = np.array([fresh[[f"{side}.{name}" for side in SIDES]].sum().sum() for name in names])
-    diameter = float(2.0 * (radii * counts).sum() / max(counts.sum(), 1))
-    throughput = Values(disks=mean(left / seconds), mass=mean(flow), mass_per_depth=mean(flow / diameter),
-                        depth=diameter)
-    return {"throughput": throughput, **shares}

@@ -7,6 +7,9 @@ reported comes from other seeds, and of that only what no other beats there, too
 from __future__ import annotations
 
 import dataclasses
+import datetime
+import os
+import time
 import warnings
 from typing import Any, Iterable, Mapping, Optional
 
@@ -14,7 +17,8 @@ import numpy as np
 import pandas
 
 from ratchet_sieve import stats
-from ratchet_sieve.answers.machine import Machine
+from ratchet_sieve.answers.cost import cost_text
+from ratchet_sieve.answers.machine import LONGEST, Machine, flow_of
 from ratchet_sieve.answers.search import BATCH, SEEDS, seed_of
 from ratchet_sieve.arguments import integer
 from ratchet_sieve.progress import Progress
@@ -25,6 +29,9 @@ FIRST = 16   # settings that are spread over the ranges before densities are use
 PROMISING = 8  # settings that are run with fresh seeds
 RUNS = 6     # of each, to decide, and as many again to report
 TRIED, AGAIN = 1.0, 1.5  # durations of a setting's runs, over the shortest one
+ATTEMPTS = 5  # to open a storage
+PATIENCE, POLL = 5.0, 0.2  # with settings that other processes try: over the longest until then; between looks [s]
+TRIED_AS = "found"  # what a trial found, among its attributes in Optuna's storage
 
 
 @dataclasses.dataclass(repr=False)
@@ -35,7 +42,8 @@ class Front:
             throughput [disks/s], processed, each with half the width of its interval at 95 % (value_half_width ...),
             runs; all from seeds that had no part in the choice; and `lower`, the lower end of the value's interval from
             the seeds that chose. Where value's interval contains 0 nothing is separated
-    tried   DataFrame: all settings, with the value and the throughput of one run; NaN where the machine does not work
+    tried   DataFrame: all settings, with the value and the throughput of one run; NaN where the machine does not work,
+            and `why`
     """
 
     machine: Any
@@ -80,13 +88,15 @@ class Front:
 
 
 def front(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, trials: int = 160, goal: Optional[str] = None,
-          start: Iterable[Mapping[str, float]] = (), seed: int = 1, results: Any = None, threads: int = 0,
-          progress: bool = True) -> Front:
+          start: Iterable[Mapping[str, float]] = (), seed: int = 1, results: Any = None, storage: Any = None,
+          threads: int = 0, progress: bool = True) -> Front:
     """Settings of a fed machine that part its kinds well at much throughput. Needs Optuna.
 
     scene, over, goal, seed, results, threads  as of separate()
     trials  settings that are tried
     start   settings that are tried first; of keys that one does not name, the scene's own values
+    storage Optuna's, or its URL, such as sqlite:///front.db: all processes that give the same one try settings
+            together, until there are `trials`; each measures the front by itself
     Raises SceneError, ValueError before anything runs, ImportError without Optuna, RuntimeError where the machine works
     nowhere. After Ctrl-C the same call with the same results continues.
     """
@@ -95,29 +105,32 @@ def front(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, trials: i
         raise ValueError("feed.rate: must be above 0: a machine that is not fed has no lasting throughput")
     trials = integer("trials", trials, 1)
     options = {"threads": integer("threads", threads), "results": results}
-    seed = seed_of(seed)
+    seed, begin = seed_of(seed), [machine.place(settings) for settings in start]
     with Progress(progress, "front") as bar:
-        tried = _tried(machine, trials, [machine.place(settings) for settings in start], seed, options, bar)
+        study = _study(machine, storage, begin, seed)
+        simulated = machine.shortest * (TRIED * trials + 2 * AGAIN * RUNS * PROMISING)
+        bar.say(cost_text(machine, np.full(len(machine.keys), 0.5), seed, simulated, threads or os.cpu_count())[0])
+        tried = _tried(machine, study, trials, seed, options, bar)
         promising = _promising(machine, tried)
         if promising.empty:
             raise RuntimeError(f"the machine works nowhere in these ranges: {counted(trials, 'setting')} tried")
         places = np.array([machine.place(row) for row in promising[machine.keys].to_dict("records")])
-        bar.show(0.8, f"{counted(len(places), 'setting')} again")
-        chosen = _measured(machine, places, seed + SEEDS // 2, options).dropna(subset=["value"])
+        chosen = _measured(machine, places, seed + SEEDS // 2, options,
+                           lambda done: bar.show(0.8, f"again: {done} runs")).dropna(subset=["value"])
         if chosen.empty:
             raise RuntimeError("the machine works with no fresh seeds at any of the settings that seemed to be good")
         kept = _unbeaten(chosen.value.to_numpy(), chosen.throughput.to_numpy())
         chosen = chosen.iloc[kept]
-        bar.show(0.9, f"{counted(len(kept), 'setting')} of the front again")
-        table = _measured(machine, places[chosen.index], seed + SEEDS // 2 + RUNS, options)
+        table = _measured(machine, places[chosen.index], seed + SEEDS // 2 + RUNS, options,
+                          lambda done: bar.show(0.9, f"the front again: {done} runs"))
     lower = (chosen.value - chosen.value_half_width).to_numpy()
     table = table.assign(lower=lower).dropna(subset=["value"])
     table = table.iloc[_unbeaten(table.value.to_numpy(), table.throughput.to_numpy())]
     return Front(machine, table.sort_values("throughput", ignore_index=True), tried)
 
 
-def _tried(machine, trials, start, seed, options, bar):
-    """Optuna's settings, one run each. @return a row for each"""
+def _study(machine, storage, start, seed):
+    """Optuna's, which processes with the same storage, machine, ranges and goal share."""
     try:
         import optuna
     except ImportError as error:
@@ -125,39 +138,84 @@ def _tried(machine, trials, start, seed, options, bar):
     optuna.logging.set_verbosity(optuna.logging.WARNING)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", optuna.exceptions.ExperimentalWarning)
-        sampler = optuna.samplers.TPESampler(seed=seed % 2 ** 32, multivariate=True, constant_liar=True,
-                                             n_startup_trials=FIRST)
-    study = optuna.create_study(directions=["maximize", "maximize"], sampler=sampler)
-    names = [f"{k}" for k in range(len(machine.keys))]
+        # Processes that share a study must not ask for the same settings.
+        sampler = optuna.samplers.TPESampler(seed=seed % 2 ** 32 if storage is None else None, multivariate=True,
+                                             constant_liar=True, n_startup_trials=FIRST)
+    name = f"{machine.scene.hash} {dict(zip(machine.keys, zip(machine.low, machine.high)))} {machine.goal}"
+    for left in reversed(range(ATTEMPTS)):
+        try:
+            study = optuna.create_study(directions=["maximize", "maximize"], sampler=sampler, storage=storage,
+                                        study_name=name, load_if_exists=True)
+            break
+        except Exception:  # of two processes that make a new storage at once one fails, in ways of the database
+            if storage is None or not left:
+                raise
+            time.sleep(POLL)
     for place in start:
-        study.enqueue_trial(dict(zip(names, map(float, place))))
-    rows = []
-    for first in range(0, trials, BATCH):
-        asked = [study.ask() for _ in range(min(BATCH, trials - first))]
-        places = np.array([[trial.suggest_float(name, 0.0, 1.0) for name in names] for trial in asked])
-        found = _seen(machine, places, TRIED, (seed, 1), options)
-        found["value"] = _height(machine, found["value"])
-        for trial, (value, throughput) in zip(asked, found[["value", "throughput"]].to_numpy()):
-            if np.isnan(value):
-                study.tell(trial, state=optuna.trial.TrialState.FAIL)
+        study.enqueue_trial(dict(zip(_names(machine), map(float, place))), skip_if_exists=True)
+    return study
+
+
+def _names(machine):
+    return [f"{k}" for k in range(len(machine.keys))]
+
+
+def _tried(machine, study, trials, seed, options, bar):
+    """Optuna's settings, one run each, until there are enough in the study. @return a row for each"""
+    from optuna.trial import TrialState
+
+    while True:
+        known = study.get_trials(deepcopy=False)
+        found = [trial for trial in known if TRIED_AS in trial.user_attrs]
+        under_way = _under_way(known)
+        room = min(BATCH, trials - len(found) - under_way)
+        if room <= 0 and under_way:
+            time.sleep(POLL)
+            continue
+        if room <= 0:
+            return pandas.DataFrame([trial.user_attrs[TRIED_AS] for trial in found]).astype(
+                {name: float for name in ("value", "throughput", "processed")})
+        asked = [study.ask() for _ in range(room)]
+        places = np.array([[trial.suggest_float(name, 0.0, 1.0) for name in _names(machine)] for trial in asked])
+        values = [trial.values[0] for trial in found if trial.values]
+        text = f", best {max(values):.3g}" if values else ""
+        rows = _seen(machine, places, TRIED, (seed, 1), options, lambda done: bar.show(
+            0.8 * (len(found) + 0.5) / trials, f"{counted(len(found), 'setting')} of {trials}{text}; {done}"))
+        for trial, row in zip(asked, rows.astype(object).where(rows.notna(), None).to_dict("records")):
+            row["value"] = None if row["value"] is None else _height(machine, row["value"])
+            trial.set_user_attr(TRIED_AS, row)
+            if row["value"] is None:
+                study.tell(trial, state=TrialState.FAIL)
             else:
-                study.tell(trial, (value, throughput))
-        rows.append(found)
-        best = pandas.concat(rows).value.max()
-        bar.show(0.8 * (first + len(asked)) / trials, f"{counted(first + len(asked), 'setting')}"
-                 + ("" if np.isnan(best) else f", best {best:.3g}"))
-    return pandas.concat(rows, ignore_index=True)
+                study.tell(trial, (row["value"], row["throughput"]))
 
 
-def _seen(machine, places, duration, seeds, options):
-    """@return a row for each place and seed: settings, value, throughput [disks/s], processed"""
+def _under_way(trials):
+    """How many other processes try. One that takes much longer than any has taken is taken for dead."""
+    longest = max((trial.duration for trial in trials if trial.duration), default=None)
+    running = [trial for trial in trials if trial.state.name == "RUNNING"]
+    now = datetime.datetime.now()
+    return sum(longest is None or now - trial.datetime_start < PATIENCE * longest for trial in running)
+
+
+def _seen(machine, places, duration, seeds, options, show=lambda done: None):
+    """Runs that last longer where they have not settled.
+    @return a row for each place and seed: settings, value, throughput [disks/s], processed, why there is no value"""
     wanted = pandas.DataFrame([machine.settings(place) for place in places])
     once = wanted.drop_duplicates()  # as of whole numbers
-    rows = machine.run(places[once.index], np.full(len(once), duration * machine.shortest), seeds, **options)
-    value = machine.observed(rows)["value"]
-    left = rows[[f"{side}.{name}" for side in ("left", "right") for name in machine.scene.species]].sum(axis=1)
+    at, lengths = places[once.index], np.full(len(once), duration)
+    parts, left = [None] * len(once), np.arange(len(once))
+    while len(left):
+        rows = machine.run(at[left], machine.shortest * lengths[left], seeds, **options,
+                           progress=lambda done, failed, count: show(f"{done + failed} of {count}"))
+        for k, part in zip(left, np.split(rows, len(left))):
+            parts[k] = part
+        left = np.array([k for k in left if lengths[k] < LONGEST and machine.observed(parts[k])["open"].any()], dtype=int)
+        lengths[left] = np.minimum(2.0 * lengths[left], LONGEST)
+    rows = pandas.concat(parts, ignore_index=True)
+    seen = machine.observed(rows)
     found = once.loc[once.index.repeat(seeds[1])].reset_index(drop=True).assign(
-        value=value, throughput=left / rows["simulated_time"], processed=rows["processed"])
+        value=seen["value"], throughput=flow_of(rows), processed=rows["processed"], why=seen["why"])
     return wanted.merge(found, on=machine.keys, how="left")
 
 
@@ -179,9 +237,9 @@ def _unbeaten(values, throughputs):
     return np.flatnonzero(~(as_good & better).any(axis=0))
 
 
-def _measured(machine, places, first, options):
+def _measured(machine, places, first, options, show=lambda done: None):
     """@return a row for each place: means over runs with seeds from `first` on; NaN unless the machine works in all"""
-    rows = _seen(machine, places, AGAIN, (first, RUNS), options)
+    rows = _seen(machine, places, AGAIN, (first, RUNS), options, show)
     lines = []
     for k in range(len(places)):
         part = rows.iloc[RUNS * k:RUNS * (k + 1)]

@@ -8,6 +8,7 @@ import pandas
 from ratchet_sieve import sweeps
 from ratchet_sieve.arguments import mapping, number, path_of
 from ratchet_sieve.errors import SceneError, SieveWarning
+from ratchet_sieve.goals import LEFT, LEFT_MASS, RIGHT, RIGHT_MASS, Goal
 from ratchet_sieve.scene import scene_of
 from ratchet_sieve.tables import writing
 
@@ -15,11 +16,16 @@ FED = 400              # disks that the shortest run of a fed machine is given
 PERIODS = 40.0         # of the drive, in which a choked one is found to be so
 RESIDENCES = 10.0      # mean times in the machine that a run of a fed machine lasts, once they are known
 LONGEST = 16.0         # such a run over the shortest one
-FEWEST = 5             # disks of each species that must have left
-LEAST_PROCESSED = {"fed": 0.25, "poured": 0.5}  # P of a machine that works
-UNKNOWN = 12.0 ** -0.5  # of the share that is still in the machine: it will leave at either end, any part as likely
+FEWEST = 5             # disks of each species that must have left a poured machine
+LEAST_PROCESSED = 0.5  # P of a poured machine that works
 NOT_VARIED = ("seed", "duration", "settle")
 NO_GOALS = ("seed", "wall_time", "events", "simulated_time", "physics")
+SIDES = ("left", "right")
+# Why a run says nothing.
+CHOKED, EMPTY, NOT_EMPTIED, FEW = "choked", "a bin stayed empty", "not emptied by half", "too few of its disks left"
+CUT = "cut by the budget"
+NEEDED = r"but (\S+) s are needed"  # in a run's steady_reason
+NO_DRIFT, FAILED = "too short to tell a mean velocity", "failed"
 STEPS = 1000           # of a range at least, to which settings are rounded
 WITHIN = {"fed": 0.02, "poured": 0.02, "closed": 0.001}  # closed: [m/s]
 GOALS = {"fed": "separation", "poured": "separation", "closed": "difference of mean_vx"}
@@ -55,12 +61,16 @@ class Machine:
         self._require_species()
         for corner in (0.0, 1.0):
             self._changed(self.settings(np.full(len(self.keys), corner)))
+        self.share_goal = _share_goal(self.goal, self.scene.species)
         self.rate = self._lowest("feed.rate", values["feed"]["rate"])  # of the feed [1/s]
         self.shortest = values["duration"]
+        self.rarest = None  # (name, share) of a kind that makes runs long
         if self.kind == "fed":
             shares = np.array([species["share"] for species in values["species"]])
-            given = FED * shares.mean() / shares[shares > 0.0].min() / self.rate
-            self.shortest = values["settle"] + max(given, PERIODS / max(
+            least = shares[shares > 0.0].min()
+            if least < 0.5 * shares.mean():
+                self.rarest = self.scene.species[int(np.flatnonzero(shares == least)[0])], least / shares.sum()
+            self.shortest = values["settle"] + max(FED * shares.mean() / least / self.rate, PERIODS / max(
                 self._lowest("base.frequency", values["base"]["frequency"]), 1.0))
 
     def _lowest(self, key, own):
@@ -143,10 +153,15 @@ class Machine:
             warnings.simplefilter("ignore", SieveWarning)
             return self.scene.replace(values)
 
+    def throws(self, place):
+        """Whether the base throws its disks up there: its drive's peak acceleration downwards is gravity at least."""
+        return bool(self._changed(self.settings(place))._engine.throws)
+
     def run(self, places, durations, seeds, observe=(), changes=None, **options):
         """Runs the machine at some places: each for its duration, which only a fed one takes.
-        @param seeds (first, count) @param changes of keys of the scene
-        @return a row for each run, the seeds of a place together"""
+        @param seeds (first, count) @param changes of keys of the scene @param options of sweep()
+        @return a row for each run, the seeds of a place together; with a budget the index counts them, for some may be
+        missing"""
         ends = {"accuracy.mean_vx": 0.0, "accuracy.quality": 0.0, **(changes or {})}
         if self.kind == "fed":
             ends["feed.on_choke"] = "stop"
@@ -154,42 +169,109 @@ class Machine:
             ends["observe"] = sorted({*self.scene.values.get("observe", ()), *observe})
         cases = [{**self.settings(place), **({"duration": round(float(duration), 3)} if self.kind == "fed" else {})}
                  for place, duration in zip(places, durations)]
-        return sweeps.sweep(self._changed(ends), cases=cases, seeds=seeds, progress=False, **options)
+        rows = sweeps.sweep(self._changed(ends), cases=cases, seeds=seeds, **{"progress": False, **options})
+        return rows[(rows["status"] != "cut") | (rows["simulated_time"] > 0.0)] if len(rows) else rows
 
     def observed(self, rows):
-        """@return what each run says: `value`, its `variance`, both NaN where the machine does not work; `residence`,
-        the mean time in the machine of all disks [s], and `rate`, the events that a simulated second takes. Of a goal
-        of the user's the variances are relative ones."""
-        if not self.is_signed:
+        """@return what each run says: `value`, its `variance`, both NaN where it says nothing, and `why` that is so;
+        `open`, whether a longer one may, and how long it `needs` to be [s]; `residence`, the mean time in the machine
+        of all disks [s], and `rate`, the events that a simulated second takes. Of a goal that is no share the variances are relative ones."""
+        if not self.is_signed and not self.share_goal:
             self._require_goal(rows)
-        seen = pandas.DataFrame({"value": rows[self.goal] if self.goal in rows else np.nan,
-                                 "rate": (rows["events"] + 1.0) / rows["simulated_time"],
-                                 "residence": 0.0, "variance": np.nan}, index=rows.index)
-        if self.kind == "closed":
-            return self._observed_closed(rows, seen)
-        left, right = (rows[[f"{side}.{name}" for name in self.scene.species]].to_numpy() for side in ("left", "right"))
-        counted = left + right
-        processed = rows["processed"].fillna(0.0)
-        works = (counted >= FEWEST).all(axis=1) & (processed >= LEAST_PROCESSED[self.kind]).to_numpy()
-        # Of a share of n disks, each by itself, with one more at either side so that n of n is no certainty.
-        variance = ((left + 0.5) * (right + 0.5) / (counted + 1.0) ** 3).sum(axis=1) * 2.0 / counted.shape[1]
-        if self.kind == "fed":
-            planned = rows["duration"] if "duration" in rows else rows["simulated_time"]
-            works &= (rows["simulated_time"] > (1.0 - 1e-9) * planned).to_numpy()  # a choked one ends early
-            variance += (UNKNOWN * (1.0 - processed.to_numpy())) ** 2
-            seen["residence"] = rows["simulated_time"] * (1.0 - processed)
-        seen["variance"] = variance if self.is_signed else self.shortest / rows["simulated_time"]
-        seen.loc[~works, ["value", "variance"]] = np.nan
+        seen = pandas.DataFrame({
+            "value": _column(rows, self.goal), "rate": (rows["events"] + 1.0) / rows["simulated_time"], "residence": 0.0,
+            "variance": np.nan, "why": "", "open": False, "needs": np.nan}, index=rows.index)
+        of_kind = {"closed": self._observed_closed, "poured": self._observed_poured, "fed": self._observed_fed}
+        of_kind[self.kind](rows, seen)
+        seen.loc[(seen["why"] == "") & seen["value"].isna(), "why"] = EMPTY
+        cut = _column(rows, "status") == "cut"
+        seen.loc[cut & (seen["why"] != ""), ["why", "open"]] = CUT, True
+        seen.loc[_column(rows, "status") == "failed", "why"] = FAILED
+        seen.loc[seen["why"] != "", ["value", "variance"]] = np.nan
         return seen
 
     def _observed_closed(self, rows, seen):
+        seen["variance"] = 1.0
         if self.is_signed:
             first, second = self.scene.species
             seen["value"] = rows[f"mean_vx.{first}"] - rows[f"mean_vx.{second}"]
             seen["variance"] = rows[f"mean_vx_stderr.{first}"] ** 2 + rows[f"mean_vx_stderr.{second}"] ** 2
+            seen.loc[seen["value"].isna(), "why"] = NO_DRIFT
+
+    def _observed_poured(self, rows, seen):
+        bins = self.bins(rows)
+        self._count(bins, rows["simulated_time"], seen)
+        seen.loc[(bins[:, :, LEFT] + bins[:, :, RIGHT] < FEWEST).any(axis=1), "why"] = FEW
+        seen.loc[rows["processed"].fillna(0.0) < LEAST_PROCESSED, "why"] = NOT_EMPTIED
+
+    def _observed_fed(self, rows, seen):
+        """By its steady state, of which a run without one says why."""
+        inside, flow = (_column(rows, f"steady.{name}.value") for name in ("inside", "throughput.number"))
+        unknown = rows["simulated_time"] * (1.0 - rows["processed"].fillna(0.0))
+        seen["residence"] = (inside / flow).where(flow > 0.0, unknown)
+        seen["value"] = _column(rows, steady_column(self.goal))
+        self._count(self.bins(rows), rows["simulated_time"] - _column(rows, "steady.from").fillna(0.0), seen)
+        reason = _column(rows, "steady_reason").fillna("").astype(str)
+        why = reason.str.partition(":")[0]
+        seen["needs"] = reason.str.extract(NEEDED, expand=False).astype(float)
+        planned = rows["duration"] if "duration" in rows else rows["simulated_time"]
+        why[(rows["simulated_time"] < (1.0 - 1e-9) * planned) & (_column(rows, "status") != "cut")] = CHOKED
+        seen["why"] = why
+        seen["open"] = ~why.isin(["", CHOKED])
+
+    def _count(self, bins, seconds, seen):
+        """The variances, of disks each by itself, with one more at either side so that n of n is no certainty."""
+        if self.share_goal:
+            seen["variance"] = self.share_goal.measured(bins, seconds.to_numpy()).error ** 2
+        elif self.is_signed:
+            left, right = bins[:, :, LEFT], bins[:, :, RIGHT]
+            counted = left + right
+            of_species = (left + 0.5) * (right + 0.5) / (counted + 1.0) ** 3
+            seen["variance"] = of_species.sum(axis=1) * 2.0 / counted.shape[1]
         else:
-            seen["variance"] = 1.0
-        return seen
+            seen["variance"] = self.shortest / seconds.clip(lower=1e-9)
+
+    def bins(self, rows):
+        """What left, of a fed machine while it was steady: as ratchet_sieve.goals has it, (runs, species, 5)."""
+        found = np.zeros((len(rows), len(self.scene.species), 5))
+        for side, count, mass in (("left", LEFT, LEFT_MASS), ("right", RIGHT, RIGHT_MASS)):
+            for k, name in enumerate(self.scene.species):
+                if self.kind == "fed":
+                    found[:, k, count] = _column(rows, f"steady.exits.{side}.number.{name}").fillna(0.0)
+                    found[:, k, mass] = _column(rows, f"steady.exits.{side}.mass.{name}").fillna(0.0)
+                else:
+                    found[:, k, count] = rows[f"{side}.{name}"]
+                    found[:, k, mass] = found[:, k, count] * self.scene._engine.mean_masses[k]
+        return found
+
+
+def steady_column(goal):
+    """The column of a goal's steady value; of one that has none that of all the run."""
+    parts = goal.split(".", 3)
+    name = {"separation": "steady.separation.value", "quality": "steady.quality.value",
+            "throughput": "steady.throughput.number.value"}.get(goal)
+    if parts[0] in ("purity", "recovery") and len(parts) == 4:
+        name = "steady.{}.{}.{}.value.{}".format(*parts)
+    return name or goal
+
+
+def _share_goal(goal, species):
+    """Of a goal such as purity.left.mass.A; None of another."""
+    parts = goal.split(".", 3)
+    if len(parts) < 4 or parts[0] not in ("purity", "recovery") or parts[1] not in SIDES or \
+            parts[2] not in ("number", "mass") or parts[3] not in species:
+        return None
+    return Goal(f"{parts[0]}:{parts[3]}:{parts[1]}" + (":mass" if parts[2] == "mass" else ""), species)
+
+
+def flow_of(rows):
+    """The throughput of each run of a fed machine, while it was steady, or of all of it [1/s]."""
+    return _column(rows, "steady.throughput.number.value").fillna(rows["counted"] / rows["simulated_time"])
+
+
+def _column(rows, name):
+    """NaN where there is none: no run had such a number."""
+    return rows[name] if name in rows else pandas.Series(np.nan, index=rows.index)
 
 
 def _range(key, ends):

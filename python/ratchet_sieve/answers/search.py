@@ -4,13 +4,14 @@ A surface is fitted to all runs. The best place is where it is highest. As long 
 than `within`, at 95 % of all places together, the one which may be so most, over what it costs, or else the best
 itself, whichever is known less, is run next (LUCB, Kalyanakrishnan et al., ICML 2012, with a Gaussian process in place of single arms).
 """
+import itertools
 import os
 import time
 
 import numpy as np
 import pandas
 
-from ratchet_sieve.answers.machine import LONGEST, RESIDENCES
+from ratchet_sieve.answers.machine import CUT, LONGEST, RESIDENCES
 from ratchet_sieve.answers.surface import Surface
 from ratchet_sieve.arguments import integer
 
@@ -23,8 +24,11 @@ CANDIDATES = 2048       # of more ranges
 MOST = 400        # runs of a search
 NEIGHBOURS = (0.08, 0.04)  # of a range: so far from the best its neighbours are run before the search ends
 COSTLIEST = 200.0  # events that a simulated second may take, over the median of the first runs: a nearly choked base
+SHAPE = ("base.teeth", "base.tooth", "base.asymmetry", "base.length", "base.phase")  # does not decide what is thrown
 RATES = 20.0      # scale of the logarithm of that: of its surface over the ranges
 RATES_VARIANCE = 0.1  # of what one run says of it
+OPEN_COST = 100.0  # of a run where the machine has not settled, over the median of the first runs
+MARGIN = 1.1      # of such a run's length, over what the run before it says is needed
 LONG_COST = 50.0  # of a run that is longer than the shortest, over the median of the first runs
 SEEDS = 1_000_000  # of the scenes between two seeds of the search; the second half of them is for fresh runs
 MOST_SEED = 10 ** 12
@@ -35,25 +39,48 @@ SINGLE = 1.0      # variance of the separation, times the disks that have left
 class Search:
     """@ivar runs a row for each run so far
     @ivar grid places that may be chosen; best the number of the best; value and error of the surface at each; `may`,
-    by how much each may be better than the best; `works`, whether the machine does; bound of the value anywhere"""
+    by how much each may be better than the best; `works`, whether the machine does or a longer run may show it; `why`
+    not; bound of the value anywhere
+    @ivar idle places that are left out: their drive throws no disk up
+    @ivar deadline of time.monotonic(), at which runs end, or None. @ivar show function of a text about the runs"""
 
     def __init__(self, machine, within, seed, deadline=None, **options):
-        """@param deadline of time.monotonic(), or None. @param options of Machine.run()"""
+        """@param options of Machine.run()"""
         self.machine, self.within, self.deadline, self._options = machine, within, deadline, options
-        self._seed = seed_of(seed)
+        self.seed = seed_of(seed)
         self.runs = pandas.DataFrame()
         self._places = np.empty((0, len(machine.keys)))
-        self.grid = _different(machine, _grid(len(machine.keys)))
+        self._all = _different(machine, _grid(len(machine.keys)))
+        thrown = _thrown(machine, self._all)
+        self.grid, self.idle = (self._all[thrown], self._all[~thrown]) if thrown.any() else (self._all, self._all[:0])
         self._surface = None
         self._costs = Surface(len(machine.keys), RATES)
         self.rounds = 0
+        self.show = lambda done: None
+        self._first = None
+        self._closed = {}
+
+    def close(self, why):
+        """Leaves the best out: its fresh runs say that it is none."""
+        self._closed[self.best] = why
+
+    @property
+    def threads(self):
+        return self._options.get("threads") or os.cpu_count()
 
     def first(self):
-        """The places that are run first, spread over the ranges."""
-        ranges = len(self.machine.keys)
-        spread = np.linspace(0.0, 1.0, FIRST[1])[:, None] if ranges == 1 else \
-            _spread(ranges, FIRST.get(ranges, 16 * ranges), self._seed)
-        return np.unique([self._nearest(place) for place in spread])
+        """The places that are run first, spread over the ranges; those of any number that come first are so as well."""
+        if self._first is None:
+            ranges = len(self.machine.keys)
+            count = FIRST.get(ranges, 16 * ranges)
+            if ranges == 1:
+                steps = np.linspace(0, len(self.grid) - 1, count).round().astype(int)
+                self._first = np.array(list(dict.fromkeys(steps[k] for k in _halving(count))))
+            else:
+                spread = (self._nearest(place) for place in _spread(ranges, 8 * count, self.seed)
+                          if not len(self.idle) or _distance(self.grid, place) <= _distance(self.idle, place))
+                self._first = np.array(list(dict.fromkeys(itertools.islice(spread, count))))
+        return self._first
 
     def measure(self, chosen, durations):
         """@param chosen numbers of places. @param durations of their runs, in units of the shortest"""
@@ -65,68 +92,110 @@ class Search:
         for k in range(counts.max()):
             picked = counts > k
             self._add(self.grid[chosen[picked]], self.machine.shortest * durations[picked],
-                      (self._seed + 100 * self.rounds + k, 1))
+                      (self.seed + 100 * self.rounds + k, 1))
 
-    def is_too_short(self):
-        """Whether the last runs of a fed machine were too short for most disks to leave, where it was not choked."""
-        if self.machine.kind != "fed":
-            return False
-        last = self.runs.tail(len(self.first()))
-        going = last[last["simulated_time"] > 0.999 * last["duration"]]
-        return len(going) > 0 and going["processed"].fillna(0.0).median() < 0.5
+    def unsettled(self):
+        """@return numbers of the places whose last run was too short to say anything, and twice its duration, in units
+        of the shortest; none where most of the others do say something"""
+        seen = self.machine.observed(self.runs)
+        last = dict(zip(map(self._nearest, self._places), self._longer(seen)))
+        open_ = [k for k, units in last.items() if np.isfinite(units)]
+        if 2 * len(open_) <= int(seen["value"].notna().sum()):
+            return np.array([], dtype=int), []
+        return np.array(open_), [last[k] for k in open_]
+
+    def _longer(self, seen):
+        """How long a run must be that may say more than each one has, in units of the shortest; infinite: too long, or
+        too costly, or it says all."""
+        if "duration" not in self.runs:
+            return np.where(seen["open"], 1.0, np.inf)
+        last = self.runs["duration"].to_numpy() / self.machine.shortest
+        needed = seen["needs"].to_numpy() / self.machine.shortest
+        units = np.fmax(np.minimum(2.0 * last, LONGEST), MARGIN * needed)
+        units = np.where(seen["why"] == CUT, last, np.where(last < (1.0 - 1e-9) * LONGEST, units, np.inf))
+        rate = seen["rate"].to_numpy()
+        fits = (units <= (1.0 + 1e-9) * LONGEST) & (units * rate <= OPEN_COST * np.median(rate[:len(self.first())]))
+        return np.where(seen["open"] & (fits | (seen["why"] == CUT)), units, np.inf)
+
+    def _run(self, places, durations, seeds, *others):
+        budget = None if self.deadline is None else max(self.deadline - time.monotonic(), 0.0)
+        return self.machine.run(places, durations, seeds, *others, budget=budget,
+                                progress=lambda done, failed, count: self.show(f"{done + failed} of {count}"),
+                                **self._options)
 
     def _add(self, places, durations, seeds, observe=()):
-        rows = self.machine.run(places, durations, seeds, observe, **self._options)
-        self._places = np.vstack([self._places, np.repeat(places, seeds[1], axis=0)])
-        self.runs = pandas.concat([self.runs, rows], ignore_index=True)
+        rows = self._run(places, durations, seeds, observe)
+        if len(rows):
+            self._places = np.vstack([self._places, places[rows.index.to_numpy() // seeds[1]]])
+            self.runs = pandas.concat([self.runs, rows], ignore_index=True)
         return rows
 
     def fresh(self, runs, duration):
         """Runs the best place with seeds that no run has had. @return their rows"""
         at = self.grid[self.best]
-        known = int((self.runs["seed"] >= self._seed + SEEDS // 2).sum())
-        observe = () if self.machine.kind == "closed" else ("mass_flow",)
-        return self._add(at[None], [duration], (self._seed + SEEDS // 2 + known, runs), observe)
+        known = self.runs["seed"][self.runs["seed"] >= self.seed + SEEDS // 2]
+        first = self.seed + SEEDS // 2 if known.empty else int(known.max()) + 1
+        observe = ("mass_flow",) if self.machine.kind == "poured" else ()
+        return self._add(at[None], [duration], (first, runs), observe)
 
     def lowered(self, changes, runs, fresh):
         """Runs of the best place with other values of keys, as long as the fresh ones. @return their rows"""
         duration = fresh["duration"].iloc[0] if "duration" in fresh else self.machine.shortest
-        return self.machine.run(self.grid[self.best][None], [duration], (self._seed + SEEDS // 2, runs), (), changes,
-                                **self._options)
+        return self._run(self.grid[self.best][None], [duration], (self.seed + SEEDS // 2, runs), (), changes)
 
     def assess(self, best=None):
         """Fits the surface. @param best the place that others are compared with; None: the highest
         @return whether the machine works anywhere"""
+        if not len(self.runs):
+            return False
         seen = self.machine.observed(self.runs)
         defined = seen["value"].notna().to_numpy()
+        longer = self._longer(seen)
+        may_work = defined | np.isfinite(longer)
         # Of several runs of a place the last, which is the longest.
         distance = ((self.grid[:, None] - self._places[None, ::-1]) ** 2).sum(axis=-1)
         nearest = len(self._places) - 1 - distance.argmin(axis=1)
-        self.works = defined[nearest]
+        self.works, self.why = may_work[nearest], seen["why"].to_numpy()[nearest]
+        for k, reason in self._closed.items():
+            self.works[k], self.why[k] = False, reason
+        self.last = nearest  # the run that tells of each place
+        self._waits = np.where(defined[nearest] | ~self.works, 0.0, longer[nearest])
         self._residence = seen["residence"].to_numpy()[nearest]
         self._rate = self._rates(seen["rate"].to_numpy())
         self._usual = float(seen["rate"].head(len(self.first())).median())
         self.too_costly = self.works & (self._rate > COSTLIEST * self._usual)
         self.works = self.works & ~self.too_costly
-        if not self.works.any() or defined.sum() < 2:
+        if not self.works.any() or len(np.unique(self._places[defined], axis=0)) < 2:
             return False
-        weights = 1.0 / seen["variance"].to_numpy()[defined]
+        variances = seen["variance"].to_numpy()[defined]
+        weights = 1.0 / variances
+        # The variance of a run times its disks.
+        self._single = SINGLE if self.machine.is_signed else \
+            float(np.median(variances * self.machine.rate * self.runs["simulated_time"].to_numpy()[defined]))
         places, group = np.unique(self._places[defined], axis=0, return_inverse=True)
         total = np.bincount(group, weights)
         values = np.bincount(group, weights * seen["value"].to_numpy()[defined]) / total
         if self._surface is None:
-            is_share = self.machine.is_signed and self.machine.kind != "closed"
+            is_share = self.has_errors and self.machine.kind != "closed"
             self._surface = Surface(self.grid.shape[1], 1.0 if is_share else 10.0 * values.std() or 1.0,
-                                    **({} if self.machine.is_signed else {"error_spread": UNKNOWN_ERRORS}))
-        self._known = places, (1.0 if self.machine.is_signed else values.var()) / total
+                                    **({} if self.has_errors else {"error_spread": UNKNOWN_ERRORS}))
+        self._known = places, (1.0 if self.has_errors else values.var()) / total
         self._surface.fit(places, values, self._known[1])
         self.value, variance, half = self._surface.at(self.grid)
         self.error = np.sqrt(variance)
         height = np.where(self.works, np.abs(self.value) if self.machine.is_signed else self.value, -np.inf)
         self.best = int(height.argmax()) if best is None else best
         self.may = self._may(self._surface, variance, half)
+        up = np.copysign(1.0, self.value[self.best]) if self.machine.is_signed else 1.0
+        # By how much the best may be better than each.
+        self.loss = np.maximum(self.may - 2.0 * up * (self.value - self.value[self.best]), 0.0)
         self.bound = float((np.abs(self.value) + ANYWHERE * self.error)[self.works].max())
         return True
+
+    @property
+    def has_errors(self):
+        """Whether each run's error is known, rather than how it falls with the run's length."""
+        return self.machine.is_signed or self.machine.share_goal is not None
 
     def _rates(self, seen):
         """The events that a simulated second takes at each place, one standard error above what a surface expects."""
@@ -166,7 +235,7 @@ class Search:
         if self.machine.kind != "fed":
             return np.ones(len(self.grid))
         wanted = np.minimum(RESIDENCES * self._residence / self.machine.shortest, LONG_COST * self._usual / self._rate)
-        return np.clip(wanted, 1.0, LONGEST)
+        return np.clip(np.maximum(wanted, self._waits), 1.0, LONGEST)
 
     def _challengers(self, units):
         """@return map from the number of a place to its runs"""
@@ -196,8 +265,8 @@ class Search:
 
     def _error_of(self, k, unit):
         """The variance that a run at a place is expected to have."""
-        if self.machine.kind == "fed" and self.machine.is_signed:
-            return SINGLE / (self.machine.rate * self.machine.shortest * unit)
+        if self.machine.kind == "fed" and self.has_errors:
+            return self._single / (self.machine.rate * self.machine.shortest * unit)
         return float(np.median(self._known[1]))
 
     def _neighbours(self):
@@ -224,14 +293,14 @@ class Search:
         """Of so many runs of the best, of which the mean has about this standard error; only a fed machine takes it."""
         if self.machine.kind != "fed":
             return self.machine.shortest
-        single = SINGLE if self.machine.is_signed else self._known[1].max() * self.machine.rate * self.machine.shortest
+        single = self._single if self.has_errors else \
+            self._known[1].max() * self.machine.rate * self.machine.shortest
         return max(single * max(self._surface.excess, 1.0) / error ** 2 / self.machine.rate / runs,
                    residences * self._residence[self.best], self.machine.shortest)
 
     def affordable(self, runs, deadline):
         """The duration of so many runs of the best that end by a deadline, by what the runs so far took [s]."""
-        threads = self._options.get("threads") or os.cpu_count()
-        events = self.runs["events"].sum() / self.runs["wall_time"].sum() * threads * (deadline - time.monotonic())
+        events = self.runs["events"].sum() / self.runs["wall_time"].sum() * self.threads * (deadline - time.monotonic())
         return events / self._rate[self.best] / runs
 
     def is_late(self):
@@ -249,6 +318,30 @@ def _different(machine, places):
     """Of places with the same settings, as of whole numbers, the first."""
     settings = [tuple(machine.settings(place).values()) for place in places]
     return places[sorted({setting: k for k, setting in reversed(list(enumerate(settings)))}.values())]
+
+
+def _thrown(machine, places):
+    """Of each place, whether the base throws disks up there."""
+    shape = SHAPE + (("base.inclination",) if machine.scene.values["base"].get("drive_frame") != "base" else ())
+    decide = [k for k, key in enumerate(machine.keys)
+              if key == "gravity" or key.startswith("base.") and not key.startswith(shape)]
+    _, one, group = np.unique(places[:, decide], axis=0, return_index=True, return_inverse=True)
+    return np.array([machine.throws(places[k]) for k in one])[group.ravel()]
+
+
+def _distance(places, place):
+    return np.abs(places - place).sum(axis=1).min()
+
+
+def _halving(count):
+    """The numbers below a count: ends first, then the middles of what is left."""
+    order, spans = [0, count - 1], [(0, count - 1)]
+    for low, high in spans:
+        middle = (low + high) // 2
+        if low < middle < high:
+            order.append(middle)
+            spans += [(low, middle), (middle, high)]
+    return order
 
 
 def _grid(ranges):

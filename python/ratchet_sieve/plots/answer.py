@@ -6,6 +6,7 @@ from ratchet_sieve.plots.means import label
 from ratchet_sieve.plots.style import COLOURS, GREY, drawing
 
 SIZE = (6.4, 4.2)  # [inches]
+SILENT = ("x", "+", "1", "2", "3", "4")  # markers of runs that give no answer
 RUNS = {"color": GREY, "markersize": 3, "alpha": 0.6}
 
 
@@ -35,6 +36,14 @@ def draw_front(front, axes=None, color=COLOURS[0], name="front, fresh seeds"):
         return axes
 
 
+def _silent(axes, answer, x, y=None):
+    """The runs that give no answer, by why: at their settings, or at the lower edge."""
+    for k, (why, rows) in enumerate(answer.runs[answer.seen.why != ""].groupby(answer.seen.why)):
+        at = {} if y else {"transform": axes.get_xaxis_transform()}
+        axes.plot(rows[x], rows[y] if y else np.full(len(rows), 0.02), SILENT[k % len(SILENT)], color="black", markersize=5,
+                  label=why, **at)
+
+
 def _best(axes, *place):
     axes.plot(*place, "*", color="white", markeredgecolor="black", markersize=13, zorder=5, label="best")
 
@@ -49,6 +58,7 @@ def _curve(axes, answer, key):
         axes.errorbar(answer.best[key], answer.separation.value, answer.separation.half_width, color="black", fmt="*",
                       markersize=9, capsize=2, zorder=5, label="fresh seeds")
     axes.plot(answer.runs[key], answer.seen.value, ".", label="runs", **RUNS)
+    _silent(axes, answer, key)
     axes.set_ylabel(_goal(answer))
     axes.legend()
 
@@ -61,7 +71,9 @@ def _map(axes, answer, x, y):
     table = answer.map.pivot(index=y, columns=x, values="value")
     xs, ys = table.columns.to_numpy(float), table.index.to_numpy(float)
     value_map(axes, _edges(xs), _edges(ys), table.to_numpy(), _goal(answer))
-    axes.plot(answer.runs[x], answer.runs[y], ".", label="runs", **RUNS)
+    works = answer.seen.why == ""
+    axes.plot(answer.runs[x][works], answer.runs[y][works], ".", label="runs", **RUNS)
+    _silent(axes, answer, x, y)
     if answer.best:
         good = answer.map.pivot(index=y, columns=x, values="as_good").to_numpy(float)
         axes.contour(xs, ys, good, [0.5], colors="black", linewidths=1.5)
