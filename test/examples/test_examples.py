@@ -9,7 +9,7 @@ import pytest
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
 LONGEST = 300  # of a cell [s]
-PROGRESS = re.compile(r"\r[^\r\n]*")
+PROGRESS = re.compile(r"\r[^\r\n]*\n?")  # with what is said of it
 
 # Of each notebook, other parameters, and how many pictures it makes.
 QUICK = {

@@ -272,7 +272,8 @@ def by_speed():
         yield "restitution by speed", f"v_0 = {speed:g} m/s, q = 0.75", scene(speed), RUNS if speed >= 1.0 else STOPS
     yield "restitution by speed", "v_0 = 1 m/s, q = 0.2", scene(1.0, 0.2), STOPS
     yield "restitution by speed", "v_0 = 1 m/s, q = 2", scene(1.0, 2.0), RUNS
-    yield "restitution by speed", "dense heap, e = 0.1, v_0 = 1 m/s, q = 0.75", scene(1.0, of=heap), STOPS
+    yield ("restitution by speed", "dense heap, e = 0.1, v_0 = 1 m/s, q = 0.75",
+           changed(scene(1.0, of=heap), duration=6.0), STOPS)
 
 
 def units():
