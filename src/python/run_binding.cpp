@@ -158,7 +158,8 @@ py::dict cutRow(const CaseResult& result)
 /// Runs the cases of a sweep that have no result in the file.
 /// @param text of a sweep file @param progress called with the numbers of cases: done, failed, all; or None
 /// @param seconds of wall time after which the cases under way are cut; or None
-/// @return the sweep's fingerprint, by which the results file knows its cases, and a row for each that was cut
+/// @return the sweep's fingerprint, by which the results file knows its cases, and a row for each that was
+/// cut
 py::tuple sweep(const std::string& text, const std::string& source, const std::string& results,
                 std::size_t threads, const py::object& progress, const std::optional<double>& seconds)
 {
@@ -170,7 +171,8 @@ py::tuple sweep(const std::string& text, const std::string& source, const std::s
   SweepRunOptions options;
   options.threads = threads;
   if (seconds)
-    options.deadline = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
+    options.deadline =
+        start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
   options.stop_wanted = [&]
   {
     if (std::this_thread::get_id() == caller && signals.stopWanted())

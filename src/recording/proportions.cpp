@@ -34,10 +34,10 @@ PortionEstimates portionEstimates(const Portion& portion, double correlation, do
   const double share = number.sum / number.weight;
   const double count = number.weight / correlationOf(portion, confidence).value_or(correlation);
   const ProportionInterval ends = wilsonInterval(share, count, halfWidthOver(confidence, 0));
-  const auto halfWidth = [](double value, const ProportionInterval& interval)
+  const auto farther_end = [](double value, const ProportionInterval& interval)
   { return std::max(value - interval.low, interval.high - value); };
   PortionEstimates estimates;
-  estimates.number = Estimate{share, halfWidth(share, ends)};
+  estimates.number = Estimate{share, farther_end(share, ends)};
 
   const BlockSum mass = sumOf(portion.mass);
   const double rest = number.weight - number.sum;
@@ -49,7 +49,7 @@ PortionEstimates portionEstimates(const Portion& portion, double correlation, do
     return part / (part + (1.0 - by_number) * rest_each);
   };
   const double value = mass.sum / mass.weight;
-  double half_width = halfWidth(value, {by_mass(ends.low), by_mass(ends.high)});
+  double half_width = farther_end(value, {by_mass(ends.low), by_mass(ends.high)});
   if (const std::optional<double> of_blocks = correlatedHalfWidth(portion.mass, confidence))
     half_width = std::max(half_width, *of_blocks);
   estimates.mass = Estimate{value, half_width};

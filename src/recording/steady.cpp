@@ -177,9 +177,7 @@ std::string whyNone(const Simulation& simulation)
     return "no feed: nothing comes in";
   if (scene.boundary == Boundary::PERIODIC)
     return "no end: nothing leaves a periodic base";
-  if (const std::string choke = chokeText(simulation); !choke.empty())
-    return choke;
-  return {};
+  return chokeText(simulation);
 }
 
 }  // namespace

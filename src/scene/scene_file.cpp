@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <yaml-cpp/eventhandler.h>
@@ -145,7 +146,7 @@ void replaceOthers(YAML::Node& root, const std::vector<std::string>& path, const
       continue;
     if (replacement.others.count(path[1]) > 0)
       refuse(assignment,
-             name + " gives " + replacement.gives + "; take it out first, with " + name + "=null");
+             fmt::format("{0} gives {1}; take it out first, with {0}=null", name, replacement.gives));
     if (path[1] == replacement.key)
       for (const std::string& other : replacement.others)
         base.remove(other);

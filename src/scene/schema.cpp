@@ -78,9 +78,9 @@ Range teethRange()
 
 const std::vector<Replacement>& baseReplacements()
 {
-  static const std::vector<Replacement> replacements = {{"profile", SAWTOOTH_KEYS, "the tooth"},
+  static const std::vector<Replacement> REPLACEMENTS = {{"profile", SAWTOOTH_KEYS, "the tooth"},
                                                         {"length", {"teeth"}, "the number of teeth"}};
-  return replacements;
+  return REPLACEMENTS;
 }
 
 const Keys<SceneDefinition> MOTION_KEYS = {

@@ -100,10 +100,10 @@ using OpenRecord = std::function<CaseRecord(const SweepCase&)>;
 struct CaseRunOptions
 {
   std::string checkpoint;  ///< checkpoint file: resumed if it exists, written periodically; empty: none
-  double checkpoint_period = 60.0;               ///< of wall time [s]
-  std::function<bool()> stop_wanted;             ///< polled several times a second
-  std::function<void(const std::string&)> warn;  ///< called for problems that do not end the case
-  OpenRecord record;                             ///< @pre there is no checkpoint
+  double checkpoint_period = 60.0;                      ///< of wall time [s]
+  std::function<bool()> stop_wanted;                    ///< polled several times a second
+  std::function<void(const std::string&)> warn;         ///< called for problems that do not end the case
+  OpenRecord record;                                    ///< @pre there is no checkpoint
   std::function<void(const CaseResult&)> take_stopped;  ///< takes what a run that is stopped has until then
 };
 

@@ -35,8 +35,8 @@ struct SweepOutcome
   bool stopped = false;
   std::size_t threads = 0;  ///< that ran cases: fewer than wanted, if the system provides no more
   std::size_t threads_wanted = 0;
-  /// Of the cases that were stopped, where there is a deadline: the results file has none. A later run continues
-  /// them.
+  /// Of the cases that were stopped, where there is a deadline: the results file has none. A later run
+  /// continues them.
   std::vector<CaseResult> cut;
 };
 

@@ -20,8 +20,8 @@ class CellLayout
 public:
   struct Size
   {
-    double height = 0.0;      ///< covered by the rows [m]
-    double least_side = 0.0;  ///< of a cell [m]
+    double height;      ///< covered by the rows [m]
+    double least_side;  ///< of a cell [m]
 
     void archive(StateArchive& state) { state(height, least_side); }
   };
