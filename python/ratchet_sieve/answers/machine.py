@@ -17,6 +17,7 @@ PERIODS = 40.0         # of the drive, in which a choked one is found to be so
 RESIDENCES = 10.0      # mean times in the machine that a run of a fed machine lasts, once they are known
 LONGEST = 16.0         # such a run over the shortest one
 FEWEST = 5             # disks of each species that must have left a poured machine
+LEAST_WORKING = 0.8    # of the runs that judge a setting, which must say something
 LEAST_PROCESSED = 0.5  # P of a poured machine that works
 NOT_VARIED = ("seed", "duration", "settle")
 NO_GOALS = ("seed", "wall_time", "events", "simulated_time", "physics")
