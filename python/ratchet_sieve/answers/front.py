@@ -109,7 +109,8 @@ def front(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, trials: i
     with Progress(progress, "front") as bar:
         study = _study(machine, storage, begin, seed)
         simulated = machine.shortest * (TRIED * trials + 2 * AGAIN * RUNS * PROMISING)
-        bar.say(cost_text(machine, np.full(len(machine.keys), 0.5), seed, simulated, threads or os.cpu_count())[0])
+        places = np.array([[0.25], [0.75]]) * np.ones(len(machine.keys))
+        bar.say(cost_text(machine, places, seed, simulated, threads or os.cpu_count())[0])
         tried = _tried(machine, study, trials, seed, options, bar)
         promising = _promising(machine, tried)
         if promising.empty:

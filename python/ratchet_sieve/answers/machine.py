@@ -66,13 +66,15 @@ class Machine:
         self.rate = self._lowest("feed.rate", values["feed"]["rate"])  # of the feed [1/s]
         self.shortest = values["duration"]
         self.rarest = None  # (name, share) of a kind that makes runs long
+        self.plain = self.shortest  # as long as the shortest would be without it
         if self.kind == "fed":
             shares = np.array([species["share"] for species in values["species"]])
             least = shares[shares > 0.0].min()
             if least < 0.5 * shares.mean():
                 self.rarest = self.scene.species[int(np.flatnonzero(shares == least)[0])], least / shares.sum()
-            self.shortest = values["settle"] + max(FED * shares.mean() / least / self.rate, PERIODS / max(
-                self._lowest("base.frequency", values["base"]["frequency"]), 1.0))
+            known = PERIODS / max(self._lowest("base.frequency", values["base"]["frequency"]), 1.0)
+            self.plain = values["settle"] + max(FED / self.rate, known)
+            self.shortest = values["settle"] + max(FED * shares.mean() / least / self.rate, known)
 
     def _lowest(self, key, own):
         """Of a key's range, or the scene's own value."""
