@@ -16,6 +16,7 @@ import ratchet_sieve as rs
 from ratchet_sieve import stats
 from ratchet_sieve.answers import answer as answer_module
 from ratchet_sieve.answers import cost, final, front, intervals, search, stages
+from ratchet_sieve.answers.answer import MOST_ROWS
 from ratchet_sieve.answers.machine import CUT, EMPTY, LEAST_WORKING, Machine
 from ratchet_sieve.answers.surface import OFFSET, Surface
 
@@ -155,6 +156,8 @@ def test_it_says_which_way_and_products_beside_the_feed(answer):
     assert lines[3].startswith(f"left: A purity {answer.purity.left.mass.A} by mass (feed 0.91), "
                                f"{answer.purity.left.number.A} by number (feed 0.5); recovery ")
     assert answer.plot().get_ylabel() == "separation $s$, above 0: more A to the left"
+    page = answer._page()
+    assert lines[0] in page and page.count("<tr") == 1 + min(len(answer.as_good), MOST_ROWS)
 
 
 def test_a_batch_takes_its_time_and_loses_nothing(answer):

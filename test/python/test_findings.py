@@ -55,10 +55,10 @@ def test_the_best_setting_is_of_the_highest_mean_not_of_one_lucky_seed(cases):
 def test_the_sign_of_the_best_says_which_way(cases):
     for case in cases:
         case.update({"left.A": 1, "left.B": 2, "recovery.left.number.A": 0.2, "recovery.left.number.B": 0.75})
-    assert findings(cases)["lines"][0].endswith("base.inclination=0.1; A goes to the right, B to the left")
+    assert findings(cases)["lines"][0].endswith("base.inclination=0.1; s -0.550: A goes to the right, B to the left")
     for case in cases:
         case.update({"recovery.left.number.A": 0.9, "separation": -case["separation"]})
-    assert findings(cases)["lines"][0].endswith("; B goes more to the right, A more to the left")
+    assert findings(cases)["lines"][0].endswith("; s +0.550: B goes more to the right, A more to the left")
 
 
 def test_settings_of_few_disks_or_a_low_p_are_left_out(cases):

@@ -32,6 +32,14 @@ Pan,,0.0,0.0,100.0,
 Total,,"1,204.6",100.0,,
 D50 (mm),0.72,,,,
 """
+# Of a mesh's number, mean size and tare the widths are told apart; the pan is named where the number stands.
+NUMBERED = """Sieve No.,Sieve opening in µm,Mean size (mm),Weight of sieve (g),Sieve + soil (g),Soil retained (g),Finer (%)
+4,4750,,500.1,500.1,0,100
+10,2000,3.4,480,530,50,75
+20,850,1.4,450,550,100,25
+Pan,-,,400,450,50,0
+"""
+REMARKS = "Sieve (mm);Mass retained (g);Remarks\n2;0;\n1;60;\n0,5;40;damp\nPan;0;\nTested by: Miller\n"
 CLASSES = "Korngröße\tAnteil\nµm\tGew.-%\n63 - 125\t20,0\n125 – 250\t80,0\n"
 PLAIN = "Maschenweite [mm];Rückstand [%]\n4;0\n2;40\n1;60\n"
 
@@ -74,6 +82,12 @@ def test_every_way_to_say_it_is_the_same(read, column, weights):
     assert table["radii"] == [0.0005, 0.001, 0.002] and table["weights"] == [0.0, 60.0, 40.0]
 
 
+def test_other_columns_are_left_alone(read):
+    table = read(NUMBERED)
+    assert table["radii"] == [0.000425, 0.001, 0.002375] and table["weights"] == [25.0, 50.0, 25.0]
+    assert '"Soil retained (g)", as "Finer (%)" says' in table.understood
+
+
 def test_classes_end_where_the_next_begins_and_units_may_have_a_line(read):
     table = read(CLASSES)
     assert table["radii"] == [3.15e-5, 6.25e-5, 1.25e-4] and table["weights"] == [0.0, 20.0, 80.0]
@@ -86,8 +100,15 @@ def test_the_ends_may_be_given(read):
         read(GERMAN.replace("4,000;412,3;412,3;0,0;100,0\n", ""))
     table = read(GERMAN.replace("4,000;412,3;412,3;0,0;100,0\n", ""), largest=0.005, smallest=0.001)
     assert table["radii"][0] == 0.0005 and table["radii"][-1] == 0.0025 and table["weights"][0] == 0.0
-    for name, value in (("largest", 0.001), ("smallest", 0.003), ("smallest", 0.0)):
-        with pytest.raises(ValueError, match=f"{name} = {value}: must be a diameter"):
+    assert read(REMARKS)["weights"] == [0.0, 40.0, 60.0]
+    fine = PLAIN.replace("40", "0").replace("60", "0") + "Boden;100\n"
+    with pytest.raises(ValueError, match=r'column "Rückstand \[%\]": all pass the finest mesh, 1 mm: how small'):
+        read(fine)
+    assert read(fine, smallest=0.0005) == {"distribution": "table", "radii": [0.00025, 0.0005], "weights": [0.0, 100.0],
+                                           "by": "mass"}
+    for name, value in (("largest", 0.001), ("smallest", 0.003), ("smallest", 0), ("largest", float("nan")),
+                        ("largest", "4")):
+        with pytest.raises(ValueError, match=f"{name} = '?{value}'?: must be "):
             read(GERMAN, **{name: value})
 
 
@@ -129,7 +150,7 @@ def test_the_disks_of_a_scene_have_these_masses(read):
     (b"\xff\xfe\xd8\xd8", "lab.csv: no line"), (b"x" * 200_000, "lab.csv: is no table: field larger than"),
     (b";" * (1 << 21), "lab.csv: is larger than any sieve analysis"),
     ("Mesh (mm);Retained (g)\n" + "9" * 400 + ";1\n1;0\n", "is too large"), ("Mesh (mm);Retained (g)\n1,2,3;1\n1;0\n", "no number"),
-))
+), ids=lambda value: str(value)[:40])
 def test_what_is_not_clear_is_refused(read, text, message):
     with pytest.raises(ValueError, match=message) as error:
         read(text)

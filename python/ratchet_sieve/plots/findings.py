@@ -59,7 +59,8 @@ def way_of(group):
     if len(names) != 2 or not separation:
         return ''
     left = [group.mean(f'recovery.left.number.{name}') for name in names]
-    return '; ' + which_way(separation.value, names, [share.value for share in left] if all(left) else None)
+    left = [share.value for share in left] if all(left) else None
+    return f'; s {separation.value:+.3f}: {which_way(separation.value, names, left)}'
 
 
 def best_text(setting, group, at_edge):

@@ -13,6 +13,7 @@ LABELS = {
     'base.inclination': r'$\theta$ [rad]',
     'base.frequency': '$f$ [Hz]',
     'base.amplitude': '$A$ [m]',
+    'base.length': 'length $W$ [m]',
     'density': 'density $d$',
     'quality': 'quality $Q$',
     'steady.quality.value': 'quality $Q$ of the filled machine',
