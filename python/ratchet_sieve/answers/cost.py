@@ -7,37 +7,45 @@ import pandas
 from ratchet_sieve.answers.search import SEEDS, SINGLE
 from ratchet_sieve.texts import counted, shown
 
-OF_A_RUN = 1.0     # of the short run [s of wall time]
+OF_A_RUN = 1.0     # of the short runs [s of wall time]
 OF_BUDGET = 0.05   # the same, of a budget
-SEARCH = 4.0       # simulated time of the search, over that of its first runs, as it is in the problems of separate.md
+SHORT = 8          # such runs: the cost differs over the ranges
+FLOOR = 1.5        # runs of the best, over those with fresh seeds: some are of another rebound floor
+SHARE = 0.5        # variance of a share times the disks that have left, half of them at its side
+UNKNOWN = 6.0      # variance of a run of another goal, over within squared
+SLOW = 1.3         # the cost of all runs over that of the short ones: the best is often where the machine is slow
 BISECTIONS = 20    # of the lowest setting that throws disks up
 
 
-def announce(search, seconds, error):
-    """@param seconds the budget or None @param error standard error of the final mean that is aimed at
+def announce(search, seconds, fresh, error):
+    """By what the problems of separate.md took, within a factor of two: of the search as many runs more as the variance
+    of one is over `within` squared.
+    @param seconds the budget or None @param fresh runs of the best @param error that their mean is to have
     @return what is said before the first run, a line each, and the cost [s of wall time]"""
     machine, first = search.machine, len(search.first())
-    middle = search.grid[int(np.abs(search.grid - np.median(search.grid, axis=0)).sum(axis=1).argmin())]
-    simulated = machine.shortest * first * SEARCH
-    if machine.kind == "fed":
-        simulated += SINGLE / error ** 2 / machine.rate
+    last, more = fresh * machine.shortest, UNKNOWN
+    if machine.kind == "fed" and search.has_errors:
+        single = SHARE if machine.share_goal else SINGLE
+        more = single / (machine.rate * machine.shortest) / search.within ** 2
+        last = max(last, single / error ** 2 / machine.rate)
+    simulated = machine.shortest * first * (1.0 + more) + FLOOR * last
     limit = OF_A_RUN if seconds is None else min(OF_A_RUN, OF_BUDGET * seconds)
-    line, cost = cost_text(machine, middle, search.seed, simulated, search.threads, limit)
+    line, cost = cost_text(machine, search.grid[search.first()[:SHORT]], search.seed, simulated, search.threads, limit)
     if seconds is not None and seconds < cost:
         line += f"; the budget ends it after {duration(seconds)}"
     return [*idle_text(search), line], cost
 
 
-def cost_text(machine, place, seed, simulated, threads, limit=OF_A_RUN):
-    """@param place of a short run, which tells what a simulated second costs @param simulated time of all runs [s]
+def cost_text(machine, places, seed, simulated, threads, limit=OF_A_RUN):
+    """@param places of short runs, which tell what a simulated second costs @param simulated time of all runs [s]
     @return what they will cost, as a line and in seconds of wall time"""
     begin = time.monotonic()
-    rows = machine.run(place[None], [machine.shortest], (seed + SEEDS - 1, 1), budget=limit)
+    rows = machine.run(places, np.full(len(places), machine.plain), (seed + SEEDS - 1, 1), budget=limit, threads=threads)
     if len(rows):
-        second = float(rows["wall_time"].iloc[0] / rows["simulated_time"].iloc[0])
+        second = float((rows["wall_time"] / rows["simulated_time"]).mean())
     else:
-        second = (time.monotonic() - begin) / machine.shortest  # at least: it was cut while its disks were placed
-    cost = second * simulated / threads
+        second = (time.monotonic() - begin) / machine.plain  # at least: all were cut while their disks were placed
+    cost = SLOW * second * simulated / threads
     why = f", because {machine.rarest[0]} is {100.0 * machine.rarest[1]:.2g} %" if machine.rarest else ""
     return (f"each run is {shown(float(f'{machine.shortest:.2g}'))} s long{why}: about {duration(cost)} on "
             f"{counted(threads, 'core')}"), cost

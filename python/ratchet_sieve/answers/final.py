@@ -7,18 +7,17 @@ import pandas
 from ratchet_sieve import stats
 from ratchet_sieve.answers.answer import Answer, Interval
 from ratchet_sieve.answers.cost import announce, duration, idle_text, whys
-from ratchet_sieve.answers.machine import flow_of
+from ratchet_sieve.answers.machine import LEAST_WORKING, flow_of
 from ratchet_sieve.answers.intervals import interval_of, products_of
 from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
 from ratchet_sieve.texts import at_most, counted
 from ratchet_sieve.values import Values
 
-FRESH = 12          # runs of the best setting at a time
+FRESH = 12          # runs of the best setting; then half as many at a time
 MOST_FRESH = 192
 LONG_ENOUGH = 20.0  # mean times in the machine that such a run of a fed machine lasts at least
 EXPECTED = 2.4      # half the width of the interval that is aimed at, in standard errors
 MOST_DOUBLINGS = 4  # of the first runs of a fed machine that have not settled
-LEAST_WORKING = 0.8  # of the fresh runs that must say something
 FEWER_FRESH = (FRESH, 8, 6, 4)  # of them, as the budget has it
 AFFORDABLE = 0.9    # of what is left of the budget: the runs differ in cost
 LEAST_PART = 0.1    # of the shortest run
@@ -33,7 +32,7 @@ def answer_of(search, budget, bar):
     @param budget a Budget. @param bar a Progress
     @throws RuntimeError the machine works nowhere. @throws ValueError the budget ends before there is an answer"""
     clocks, notes, fresh, floor = (time.monotonic(), time.process_time()), [], Fresh(), None
-    lines, announced = announce(search, budget.seconds, search.within / EXPECTED)
+    lines, announced = announce(search, budget.seconds, FRESH, search.within / EXPECTED)
     for line in lines:
         bar.say(line)
     notes += idle_text(search)
@@ -143,7 +142,7 @@ def _fresh_runs(search, bar, fresh, notes):
         search.show = lambda done: bar.show(0.8, f"{done} fresh runs")
         rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(runs, length)], ignore_index=True)
         seen = machine.observed(rows) if len(rows) else None
-        if not search.is_late() and seen["value"].notna().sum() < max(LEAST_WORKING * len(rows), 2):
+        if seen is not None and not search.is_late() and seen["value"].notna().sum() < max(LEAST_WORKING * len(rows), 2):
             fresh.rows = pandas.DataFrame()
             if seen["open"].any() and not longer:
                 length, longer = 2.0 * length, True
@@ -158,6 +157,7 @@ def _fresh_runs(search, bar, fresh, notes):
                      f"{mean.value:.3g} ± {mean.half_width:.2g} from {counted(mean.count, 'fresh run')}")
             if mean.half_width <= search.within:
                 return True
+        runs = FRESH // 2
         if len(rows) >= MOST_FRESH or search.is_late():
             notes.append("the fresh runs ended before their interval was as narrow as wanted")
             return True
@@ -213,7 +213,7 @@ def _floor(search, fresh):
     speed = machine.scene["contact.min_rebound_speed"]
     if speed == 0.0:
         return None
-    lower = search.lowered({FLOOR: 0.5 * speed}, len(fresh) // 2, fresh)
+    lower = search.lowered({FLOOR: 0.5 * speed}, FRESH // 2, fresh)
     if not len(lower):
         return None
     means = [stats.mean_of(machine.observed(rows)["value"].dropna()) for rows in (lower, fresh)]

@@ -18,7 +18,7 @@ import pandas
 
 from ratchet_sieve import stats
 from ratchet_sieve.answers.cost import cost_text
-from ratchet_sieve.answers.machine import LONGEST, Machine, flow_of
+from ratchet_sieve.answers.machine import LEAST_WORKING, LONGEST, Machine, flow_of
 from ratchet_sieve.answers.search import BATCH, SEEDS, seed_of
 from ratchet_sieve.arguments import integer
 from ratchet_sieve.progress import Progress
@@ -109,7 +109,8 @@ def front(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, trials: i
     with Progress(progress, "front") as bar:
         study = _study(machine, storage, begin, seed)
         simulated = machine.shortest * (TRIED * trials + 2 * AGAIN * RUNS * PROMISING)
-        bar.say(cost_text(machine, np.full(len(machine.keys), 0.5), seed, simulated, threads or os.cpu_count())[0])
+        places = np.array([[0.25], [0.75]]) * np.ones(len(machine.keys))
+        bar.say(cost_text(machine, places, seed, simulated, threads or os.cpu_count())[0])
         tried = _tried(machine, study, trials, seed, options, bar)
         promising = _promising(machine, tried)
         if promising.empty:
@@ -238,14 +239,15 @@ def _unbeaten(values, throughputs):
 
 
 def _measured(machine, places, first, options, show=lambda done: None):
-    """@return a row for each place: means over runs with seeds from `first` on; NaN unless the machine works in all"""
+    """@return a row for each place: means over runs with seeds from `first` on; NaN unless the machine works in most"""
     rows = _seen(machine, places, AGAIN, (first, RUNS), options, show)
     lines = []
     for k in range(len(places)):
         part = rows.iloc[RUNS * k:RUNS * (k + 1)]
-        line = {**machine.settings(places[k]), "runs": RUNS}
+        works = part.value.notna()
+        line = {**machine.settings(places[k]), "runs": int(works.sum())}
         for name in ("value", "throughput", "processed"):
-            mean = stats.mean_of(part[name]) if part.value.notna().all() else None
+            mean = stats.mean_of(part[name][works]) if works.sum() >= max(LEAST_WORKING * RUNS, 2) else None
             line.update({name: mean.value if mean else np.nan,
                          f"{name}_half_width": mean.half_width() if mean else np.nan})
         lines.append({**line, "value": _height(machine, line["value"])})

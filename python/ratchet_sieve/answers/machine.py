@@ -17,6 +17,7 @@ PERIODS = 40.0         # of the drive, in which a choked one is found to be so
 RESIDENCES = 10.0      # mean times in the machine that a run of a fed machine lasts, once they are known
 LONGEST = 16.0         # such a run over the shortest one
 FEWEST = 5             # disks of each species that must have left a poured machine
+LEAST_WORKING = 0.8    # of the runs that judge a setting, which must say something
 LEAST_PROCESSED = 0.5  # P of a poured machine that works
 NOT_VARIED = ("seed", "duration", "settle")
 NO_GOALS = ("seed", "wall_time", "events", "simulated_time", "physics")
@@ -65,13 +66,15 @@ class Machine:
         self.rate = self._lowest("feed.rate", values["feed"]["rate"])  # of the feed [1/s]
         self.shortest = values["duration"]
         self.rarest = None  # (name, share) of a kind that makes runs long
+        self.plain = self.shortest  # as long as the shortest would be without it
         if self.kind == "fed":
             shares = np.array([species["share"] for species in values["species"]])
             least = shares[shares > 0.0].min()
             if least < 0.5 * shares.mean():
                 self.rarest = self.scene.species[int(np.flatnonzero(shares == least)[0])], least / shares.sum()
-            self.shortest = values["settle"] + max(FED * shares.mean() / least / self.rate, PERIODS / max(
-                self._lowest("base.frequency", values["base"]["frequency"]), 1.0))
+            known = PERIODS / max(self._lowest("base.frequency", values["base"]["frequency"]), 1.0)
+            self.plain = values["settle"] + max(FED / self.rate, known)
+            self.shortest = values["settle"] + max(FED * shares.mean() / least / self.rate, known)
 
     def _lowest(self, key, own):
         """Of a key's range, or the scene's own value."""
