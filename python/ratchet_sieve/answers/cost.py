@@ -40,9 +40,13 @@ def cost_text(machine, places, seed, simulated, threads, limit=OF_A_RUN):
     """@param places of short runs, which tell what a simulated second costs @param simulated time of all runs [s]
     @return what they will cost, as a line and in seconds of wall time"""
     begin = time.monotonic()
-    rows = machine.run(places, np.full(len(places), machine.plain), (seed + SEEDS - 1, 1), budget=limit, threads=threads)
+    rows = machine.run(places, np.full(len(places), machine.plain), (seed + SEEDS - 1, 1), budget=limit,
+                       threads=threads)
     if len(rows):
-        second = float((rows["wall_time"] / rows["simulated_time"]).mean())
+        # One that fills up is taken to go on so: its cost per second grows as its disks.
+        fills = rows["processed"].fillna(0.0) < 0.5
+        grows = np.where(fills, 0.5 * (1.0 + machine.shortest / rows["simulated_time"]), 1.0)
+        second = float((rows["wall_time"] / rows["simulated_time"] * np.maximum(grows, 1.0)).mean())
     else:
         second = (time.monotonic() - begin) / machine.plain  # at least: all were cut while their disks were placed
     cost = SLOW * second * simulated / threads

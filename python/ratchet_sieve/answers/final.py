@@ -142,7 +142,8 @@ def _fresh_runs(search, bar, fresh, notes):
         search.show = lambda done: bar.show(0.8, f"{done} fresh runs")
         rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(runs, length)], ignore_index=True)
         seen = machine.observed(rows) if len(rows) else None
-        if seen is not None and not search.is_late() and seen["value"].notna().sum() < max(LEAST_WORKING * len(rows), 2):
+        works = 0 if seen is None else seen["value"].notna().sum()
+        if seen is not None and not search.is_late() and works < max(LEAST_WORKING * len(rows), 2):
             fresh.rows = pandas.DataFrame()
             if seen["open"].any() and not longer:
                 length, longer = 2.0 * length, True
@@ -180,8 +181,8 @@ def _answer(search, fresh, notes, floor, clocks, announced):
     if found is None or found.half_width is None:
         found = Interval(float(search.value[search.best]), None, 0)
         if not search.nowhere():
-            notes.append(f"the {machine.goal} has no interval: it is of the search's own runs, which chose the setting, "
-                         "so that it is too large")
+            notes.append(f"the {machine.goal} has no interval: it is of the search's own runs, which chose the "
+                         "setting, so that it is too large")
     if search.too_costly.any():
         notes.append(f"{100.0 * search.too_costly.mean():.2g} % of the ranges are left out: there a simulated second "
                      f"costs more than {COSTLIEST:g} times the usual, as on a nearly choked base")

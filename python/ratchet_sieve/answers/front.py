@@ -211,7 +211,8 @@ def _seen(machine, places, duration, seeds, options, show=lambda done: None):
                            progress=lambda done, failed, count: show(f"{done + failed} of {count}"))
         for k, part in zip(left, np.split(rows, len(left))):
             parts[k] = part
-        left = np.array([k for k in left if lengths[k] < LONGEST and machine.observed(parts[k])["open"].any()], dtype=int)
+        left = np.array([k for k in left if lengths[k] < LONGEST and machine.observed(parts[k])["open"].any()],
+                        dtype=int)
         lengths[left] = np.minimum(2.0 * lengths[left], LONGEST)
     rows = pandas.concat(parts, ignore_index=True)
     seen = machine.observed(rows)

@@ -178,12 +178,13 @@ class Machine:
     def observed(self, rows):
         """@return what each run says: `value`, its `variance`, both NaN where it says nothing, and `why` that is so;
         `open`, whether a longer one may, and how long it `needs` to be [s]; `residence`, the mean time in the machine
-        of all disks [s], and `rate`, the events that a simulated second takes. Of a goal that is no share the variances are relative ones."""
+        of all disks [s], and `rate`, the events that a simulated second takes. Of a goal that is no share the variances
+        are relative ones."""
         if not self.is_signed and not self.share_goal:
             self._require_goal(rows)
         seen = pandas.DataFrame({
-            "value": _column(rows, self.goal), "rate": (rows["events"] + 1.0) / rows["simulated_time"], "residence": 0.0,
-            "variance": np.nan, "why": "", "open": False, "needs": np.nan}, index=rows.index)
+            "value": _column(rows, self.goal), "rate": (rows["events"] + 1.0) / rows["simulated_time"],
+            "residence": 0.0, "variance": np.nan, "why": "", "open": False, "needs": np.nan}, index=rows.index)
         of_kind = {"closed": self._observed_closed, "poured": self._observed_poured, "fed": self._observed_fed}
         of_kind[self.kind](rows, seen)
         seen.loc[(seen["why"] == "") & seen["value"].isna(), "why"] = EMPTY

@@ -2,7 +2,8 @@
 
 A surface is fitted to all runs. The best place is where it is highest. As long as any other place may be better by more
 than `within`, at 95 % of all places together, the one which may be so most, over what it costs, or else the best
-itself, whichever is known less, is run next (LUCB, Kalyanakrishnan et al., ICML 2012, with a Gaussian process in place of single arms).
+itself, whichever is known less, is run next (LUCB, Kalyanakrishnan et al., ICML 2012, with a Gaussian process in place
+of single arms).
 """
 import itertools
 import os

@@ -40,8 +40,8 @@ def _silent(axes, answer, x, y=None):
     """The runs that give no answer, by why: at their settings, or at the lower edge."""
     for k, (why, rows) in enumerate(answer.runs[answer.seen.why != ""].groupby(answer.seen.why)):
         at = {} if y else {"transform": axes.get_xaxis_transform()}
-        axes.plot(rows[x], rows[y] if y else np.full(len(rows), 0.02), SILENT[k % len(SILENT)], color="black", markersize=5,
-                  label=why, **at)
+        axes.plot(rows[x], rows[y] if y else np.full(len(rows), 0.02), SILENT[k % len(SILENT)], color="black",
+                  markersize=5, label=why, **at)
 
 
 def _best(axes, *place):
