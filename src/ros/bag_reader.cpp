@@ -15,6 +15,7 @@
 #include <tuple>
 #include <vector>
 
+#include <console_bridge/console.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
@@ -39,6 +40,7 @@ public:
   explicit DamageGuard(const std::string& path)
   {
     reading = 1;  // an earlier sink may have thrown
+    console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_NONE);  // the exception that follows is told
     line = std::string(program_invocation_short_name) + ": " + path + ": is damaged: try `rosbag reindex`\n";
     struct sigaction action = {};
     action.sa_handler = end;
@@ -49,6 +51,7 @@ public:
   {
     for (std::size_t k = 0; k < before_.size(); ++k)
       sigaction(SIGNALS[k], &before_[k], nullptr);
+    console_bridge::setLogLevel(level_before_);
   }
   DamageGuard(const DamageGuard&) = delete;
   DamageGuard& operator=(const DamageGuard&) = delete;
@@ -81,6 +84,7 @@ private:
   static inline std::string line;
   static inline volatile std::sig_atomic_t reading = 1;
   std::array<struct sigaction, SIGNALS.size()> before_;
+  console_bridge::LogLevel level_before_ = console_bridge::getLogLevel();
 };
 
 /// The frames of one topic, with one frame of read-ahead.

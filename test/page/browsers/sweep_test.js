@@ -76,7 +76,7 @@ describe('the page of a sweep', () => {
     }
     assert.match(await page.$eval('#chosen', part => part.textContent), new RegExp(`${x.label} = ${x.values[0]}\\s`));
     await page.select('#field', '1');
-    assert.equal(await page.evaluate(() => window.ratchetSieve.field), 'processed');
+    assert.equal(await page.evaluate(() => window.ratchetSieve.field), 'separation');
     assert.deepEqual(seen.said, []);
   });
 
