@@ -22,8 +22,8 @@ KEPT = {'.md', '.csv', '.gif', '.png', '.svg'}  # any other file that a page lin
 LINK = re.compile(r'(?<=\]\()([^)\s:#]+)(?=[)#])')
 RUNS = {'demo': {'base.inclination': 0.19, 'duration': 15}, 'machine_mass': {'duration': 8},
         'circular_feeder': {'duration': 8, 'settle': 1}}
-MODULES = ('scene', 'runs', 'simulation', 'values', 'sweeps', 'answers', 'answers.answer', 'answers.front', 'bags',
-           'pages', 'errors')
+MODULES = ('scene', 'size_tables', 'runs', 'simulation', 'values', 'sweeps', 'answers', 'answers.answer', 'answers.front',
+           'bags', 'pages', 'errors')
 ROW = re.compile(r'(\w+(?:, \w+)*)  +(\S.*)')
 
 
