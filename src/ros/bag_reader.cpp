@@ -40,7 +40,8 @@ public:
   explicit DamageGuard(const std::string& path)
   {
     reading = 1;  // an earlier sink may have thrown
-    console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_NONE);  // the exception that follows is told
+    console_bridge::setLogLevel(
+        console_bridge::CONSOLE_BRIDGE_LOG_NONE);  // the exception that follows is told
     line = std::string(program_invocation_short_name) + ": " + path + ": is damaged: try `rosbag reindex`\n";
     struct sigaction action = {};
     action.sa_handler = end;
