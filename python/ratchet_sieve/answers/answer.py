@@ -183,11 +183,9 @@ class Answer:
     def next_stage(self, side: str, over: Any, **options: Any) -> Answer:
         """The machine that takes what leaves this one, at its best settings, at a side: a search of its own, whose
         scene is fed at the rate, in the numbers and with the sizes that leave. Of the best of it `stages` has, from
-        runs of all stages, each fed with the very grains that leave the one before:
-
-        products   what no further stage takes: stage, side, throughput [kg/s], purity and recovery (of all that is
-                   fed) by mass and by number, with intervals
-        balance    of one such run: grains fed, at each end, and inside of each stage
+        runs of all stages, each fed with the very grains that leave the one before: `products` that no further stage
+        takes, with their stage, side, throughput [kg/s], purity and recovery of all that is fed, by mass and by number,
+        with intervals; and of one such run the `balance` of grains: fed, at each end, and inside of each stage.
 
         side     "left" or "right"
         over     ranges of the next machine's keys; else it is as this one
