@@ -15,7 +15,8 @@ namespace ratchet_sieve
 /// 4: runs on a periodic base that turns.
 /// 5: runs with a feed; the separation in the summary; standard errors of short runs; ensembles that
 /// collapse.
-/// 6: all runs: a disk's flight is kept from the epoch's zero.
+/// 6: all runs: a disk's flight is kept from the epoch's zero; errors of means over trapped disks; contacts
+/// of a flat sawtooth; contacts after a collapse; what is observed before `settle` ends.
 constexpr std::int64_t PHYSICS_VERSION = 6;
 
 }  // namespace ratchet_sieve
