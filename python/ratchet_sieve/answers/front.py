@@ -174,6 +174,7 @@ def _tried(machine, study, trials, seed, options, bar):
             time.sleep(POLL)
             continue
         if room <= 0:
+            found = found[:trials]  # two processes that asked at once have tried more
             return pandas.DataFrame([trial.user_attrs[TRIED_AS] for trial in found]).astype(
                 {name: float for name in ("value", "throughput", "processed")})
         asked = [study.ask() for _ in range(room)]
