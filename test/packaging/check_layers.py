@@ -10,6 +10,8 @@ from pathlib import Path
 
 # External libraries that a layer may use, by the first folder or name of the include, or the header; None: any.
 LIBRARIES = {
+    'statistics': set(),
+    'packing': set(),
     'core': {'Eigen'},
     'scene': {'Eigen', 'yaml-cpp', 'fmt'},
     'recording': {'Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'boost'},

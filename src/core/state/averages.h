@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/results.h"
+#include "ratchet_sieve/statistics/block_averages.h"
 
 namespace ratchet_sieve
 {

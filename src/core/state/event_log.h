@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "ratchet_sieve/core/flow_series.h"
-#include "ratchet_sieve/core/segregation.h"
+#include "ratchet_sieve/statistics/flow_series.h"
+#include "ratchet_sieve/statistics/segregation.h"
 #include "state/observer.h"
 #include "state/thread_buffer.h"
 

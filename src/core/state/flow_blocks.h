@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "ratchet_sieve/core/flow_series.h"
-#include "ratchet_sieve/core/segregation.h"
+#include "ratchet_sieve/statistics/flow_series.h"
+#include "ratchet_sieve/statistics/segregation.h"
 #include "state/observer.h"
 
 namespace ratchet_sieve

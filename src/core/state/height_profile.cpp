@@ -3,7 +3,8 @@
 #include <numeric>
 
 #include "model/orbit.h"
-#include "state/height_slices.h"
+#include "ratchet_sieve/statistics/height_slices.h"
+#include "state/motion_steps.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
