@@ -9,15 +9,14 @@
 
 #include "events/event_loop.h"
 #include "model/random.h"
-#include "state/contact_execution.h"
 #include "state/period_watch.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
 {
 
-/// What advances a system: a loop for the events of single disks, the execution of their contacts, and the
-/// events of the whole machine. Times are local to the epoch unless stated otherwise.
+/// What advances a system: a loop for the events of single disks, and the events of the whole machine. Times
+/// are local to the epoch unless stated otherwise.
 class Engine
 {
 public:
@@ -119,7 +118,6 @@ private:
   void announce(std::uint32_t first);
 
   SystemState state_;
-  ContactExecution execution_{state_};
   Random random_;
 
   /// Of the feed's times and species alone: they are the same in every setting of a machine.

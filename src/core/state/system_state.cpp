@@ -79,8 +79,6 @@ SystemState::SystemState(const SceneDefinition& scene)
       epoch_{0.0, std::min(epochLength(time_scale_),
                            longestFall(scene.gravity, ratchet_sieve::smallestRadius(scene)))},
       motion_(scene.base, 2.0 * lattice_turn_),
-      search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length)),
-      pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), records_, ids_),
       sums_{ContactSums(scene.species.size()), Averages(*this), EnergyWatch(*this)},
       log_(*this)
@@ -91,27 +89,6 @@ double SystemState::latticeMargin() const
 {
   return wideSizes() ? LATTICE_MARGIN_OF_WIDE * lattice_diameter_
                      : shape_.width() * (1.0 - std::cos(lattice_turn_));
-}
-
-/// From the length of the epoch.
-void SystemState::setTimeResolution()
-{
-  pair_scene_.time_resolution = timeResolution(epoch_.length);
-  search_.setTimeResolution(pair_scene_.time_resolution);
-}
-
-BaseEvent SystemState::nextBaseEvent(std::uint32_t slot, const Kinematics& from, double until,
-                                     BaseInstant& base) const
-{
-  // Without gravity there may be no event for very long; one epoch at a time is enough.
-  double end = std::min(until, from.time + epoch_.length);
-  const auto change = motion_.nextChange();
-  if (change)
-    end = std::min(end, *change);
-  BaseEvent event = search_.find(disks_[slot], from, end, base);
-  if (!event.feature && change && event.time >= *change)
-    event.time = std::numeric_limits<double>::infinity();
-  return event;
 }
 
 void SystemState::reserve(std::size_t count)
@@ -250,7 +227,7 @@ void SystemState::wrapAll(double time)
   base.inclination_rate = 0.0;
   for (const std::uint32_t slot : slots(true))
   {
-    const double s = search_.seenFromBase(disks_[slot], base, time).s();
+    const double s = base.see(flown(slot, time)).s();
     if (const double widths = widthsOutside(s); widths != 0.0)
       moveTo(slot, base.image(-widths * shape_.width()), time, nullptr);
   }
@@ -260,7 +237,6 @@ void SystemState::archive(StateArchive& state)
 {
   state(epoch_, motion_, disks_, records_, active_count_, impulse_of_gone_, ids_, log_.sizeClassBins(),
         collapse_watch_);
-  setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene =
       log_.sizeClassBins().size() == size_classes_.size() && records_.size() == count && ids_.fits(count) &&
@@ -292,7 +268,6 @@ double SystemState::shortenEpoch(double now)
   if (longest >= epoch_.length)
     return 0.0;
   epoch_.length = longest;
-  setTimeResolution();
   return epoch_.length * std::floor(now / epoch_.length);
 }
 
