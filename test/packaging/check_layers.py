@@ -27,7 +27,7 @@ LIBRARIES = {
 # Standard C++ headers have no dot and no slash; these are the headers of POSIX and of compilers.
 POSIX_AND_COMPILER = {'unistd.h', 'signal.h', 'fcntl.h', 'sys', 'emmintrin.h', 'immintrin.h'}
 # The core's sublayers ("floors"), folders of src/core, from the lowest up; files in no folder are above them all.
-FLOORS = ['model', 'search', 'state', 'simd', 'events']
+FLOORS = ['model', 'search', 'state', 'observe', 'simd', 'events']
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 TYPE = re.compile(r'(?:template <.+> )?(?:struct|class|union|enum|enum class) (?:alignas\(.+?\) )?(\w+)(?: final)?(?: : .+)?')
 

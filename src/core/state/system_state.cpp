@@ -235,11 +235,10 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, records_, active_count_, impulse_of_gone_, ids_, log_.sizeClassBins(),
-        collapse_watch_);
+  state(epoch_, motion_, disks_, records_, active_count_, impulse_of_gone_, ids_, collapse_watch_);
   const std::size_t count = disks_.size();
   const bool of_this_scene =
-      log_.sizeClassBins().size() == size_classes_.size() && records_.size() == count && ids_.fits(count) &&
+      records_.size() == count && ids_.fits(count) &&
       std::all_of(disks_.begin(), disks_.end(),
                   [this](const Disk& disk) { return disk.species < scene_.species.size(); });
   if (!of_this_scene)

@@ -3,8 +3,9 @@
 #include <numeric>
 
 #include "model/orbit.h"
+#include "observe/motion_steps.h"
+#include "observe/observable.h"
 #include "ratchet_sieve/statistics/height_slices.h"
-#include "state/motion_steps.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve

@@ -1,6 +1,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "observe/observable.h"
 #include "ratchet_sieve/statistics/block_averages.h"
 #include "ratchet_sieve/statistics/time_histogram.h"
 #include "state/system_state.h"
