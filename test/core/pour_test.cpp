@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "ratchet_sieve/packing/pour.h"
+#include "ratchet_sieve/geometry/pour.h"
 #include "scenes.h"
 
 namespace ratchet_sieve

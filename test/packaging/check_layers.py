@@ -11,7 +11,7 @@ from pathlib import Path
 # External libraries that a layer may use, by the first folder or name of the include, or the header; None: any.
 LIBRARIES = {
     'statistics': set(),
-    'packing': set(),
+    'geometry': set(),
     'core': {'Eigen'},
     'scene': {'Eigen', 'yaml-cpp', 'fmt'},
     'recording': {'Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'boost'},

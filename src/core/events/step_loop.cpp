@@ -8,8 +8,8 @@
 
 #include "events/event_loop.h"
 #include "events/step_contacts.h"
+#include "ratchet_sieve/geometry/overlap_search.h"
 #include "search/base_overlap.h"
-#include "search/overlap_search.h"
 #include "state/contact_execution.h"
 #include "state/contact_prediction.h"
 

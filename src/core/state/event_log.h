@@ -32,10 +32,11 @@ public:
   }
 
   /// @param buffer of the thread, if several advance disks at the same time
-  [[gnu::always_inline]] void flew(const Flight& flight, ThreadBuffer* buffer)
+  [[gnu::always_inline]] void flew(std::uint32_t slot, const Disk& disk, double end, ThreadBuffer* buffer)
   {
     if (!wants(Observer::FLIGHTS))
       return;
+    const Flight flight{slot, disk, end};
     if (buffer != nullptr)
       buffer->flew(flight);
     else

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "ratchet_sieve/packing/pour.h"
+#include "ratchet_sieve/geometry/pour.h"
+#include "ratchet_sieve/geometry/size_levels.h"
 #include "search/cell_grid.h"
-#include "search/size_levels.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve

@@ -7,7 +7,7 @@
 
 #include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/resolution.h"
-#include "search/size_levels.h"
+#include "ratchet_sieve/geometry/size_levels.h"
 
 namespace ratchet_sieve
 {
@@ -165,7 +165,7 @@ void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, Th
   if (scene_.boundary == Boundary::PERIODIC)
     return wrap(slot, to_the_right ? -1.0 : 1.0, time, buffer);
   Disk& disk = disks_[slot];
-  log_.flew({slot, disk, time}, buffer);
+  log_.flew(slot, disk, time, buffer);
   disk.position = positionAt(disk, time, scene_.gravity);
   disk.countEvent();
   DiskRecord& record = records_[slot];

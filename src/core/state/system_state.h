@@ -146,7 +146,7 @@ public:
                                        ThreadBuffer* buffer = nullptr)
   {
     Disk& disk = disks_[slot];
-    log_.flew({slot, disk, time}, buffer);
+    log_.flew(slot, disk, time, buffer);
     const Two velocity = twoOf(disk.velocity);
     const double spin = disk.spin;
     disk.redirect(turn.way, turn.velocity, time);

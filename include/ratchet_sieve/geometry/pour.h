@@ -3,8 +3,8 @@
 #include <memory_resource>
 #include <vector>
 
-#include "ratchet_sieve/packing/room_search.h"
-#include "ratchet_sieve/packing/standing_disks.h"
+#include "ratchet_sieve/geometry/room_search.h"
+#include "ratchet_sieve/geometry/standing_disks.h"
 
 namespace ratchet_sieve
 {

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/packing/standing_disks.h"
+#include "ratchet_sieve/geometry/standing_disks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/packing/pour.h"
+#include "ratchet_sieve/geometry/pour.h"
 
 #include <algorithm>
 
