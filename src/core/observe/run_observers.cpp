@@ -5,6 +5,43 @@
 namespace ratchet_sieve
 {
 
+/// Counts contacts with each face and corner of a profile. A sawtooth needs none: its kinds of contacts say
+/// it.
+class FaceCounts final : public Observer
+{
+public:
+  explicit FaceCounts(const BaseShape& shape)
+  {
+    contacts_.face_contacts.resize(shape.faces().size());
+    contacts_.corner_contacts.resize(shape.faces().size());
+  }
+
+  unsigned subscriptions() const override { return CONTACTS; }
+
+  void collided(const ContactOutcome& outcome) override
+  {
+    const auto index = static_cast<std::size_t>(outcome.feature.index());
+    if (outcome.feature.kind() == BaseFeatureKind::FACE)
+      ++contacts_.face_contacts[index];
+    else if (outcome.kind == CollisionKind::APEX)
+      ++contacts_.corner_contacts[index];
+  }
+
+  const FaceContacts& contacts() const { return contacts_; }
+
+  /// @throws StateError if the state is of another profile
+  void archive(StateArchive& state) override
+  {
+    const std::size_t faces = contacts_.face_contacts.size();
+    state(contacts_);
+    if (contacts_.face_contacts.size() != faces || contacts_.corner_contacts.size() != faces)
+      throw StateError("it is of another scene");
+  }
+
+private:
+  FaceContacts contacts_;
+};
+
 RunObservers::RunObservers(SystemState& system) : system_(system)
 {
   EventLog& log = system.log();
@@ -17,6 +54,11 @@ RunObservers::RunObservers(SystemState& system) : system_(system)
     observables_.push_back(log.add(makeObservable(name, system)));
   if (system.shape().isProfile())
     faces_ = log.add(std::make_unique<FaceCounts>(system.shape()));
+}
+
+FaceContacts RunObservers::faceContacts() const
+{
+  return faces_ != nullptr ? faces_->contacts() : FaceContacts();
 }
 
 std::vector<Observed> RunObservers::observed(double time, bool settled) const

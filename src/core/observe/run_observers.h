@@ -3,12 +3,13 @@
 #include <vector>
 
 #include "observe/bins.h"
-#include "observe/face_counts.h"
 #include "observe/flow_blocks.h"
 #include "observe/observable.h"
 
 namespace ratchet_sieve
 {
+
+class FaceCounts;
 
 /// The observers of every run, and those that its scene asks for. The EventLog has them; this reads them.
 class RunObservers
@@ -28,7 +29,7 @@ public:
   }
 
   /// Of a profile; empty for a sawtooth.
-  FaceContacts faceContacts() const { return faces_ != nullptr ? faces_->contacts() : FaceContacts(); }
+  FaceContacts faceContacts() const;
 
   /// What the scene asks for, until `time`; before the end of `settle` as if nothing had happened yet.
   std::vector<Observed> observed(double time, bool settled) const;
