@@ -1,4 +1,5 @@
 """Makes a document of studies from its template: a table of the claims, then a section per study."""
+import re
 import string
 import textwrap
 
@@ -16,10 +17,15 @@ def claims_of(outcomes):
     return sorted((claim for outcome in outcomes for claim in outcome.claims()), key=order)
 
 
+def verdict(claim):
+    """Its words bold, and the condition."""
+    words = "|".join(verdicts.ORDER)
+    return re.sub(rf"(^|; )({words})(?=:|$)", r"\1**\2**", claim.verdict()) + f" {claim.condition}".rstrip()
+
+
 def claims_table(claims):
     return table(["#", "where", "claim", "verdict"],
-                 [[claim.number, claim.where, claim.text, f"**{claim.verdict()}** {claim.condition}".strip()]
-                  for claim in claims])
+                 [[claim.number, claim.where, claim.text, verdict(claim)] for claim in claims])
 
 
 def filled(text, indent):
@@ -33,7 +39,7 @@ def checks(claims):
     lines = []
     for claim in sorted(claims, key=order):
         kind = "Addition" if claim.is_addition() else "Claim"
-        lines.append(filled(f"{kind} {claim.number} **{claim.verdict()}** {claim.condition}".strip() + ":", ""))
+        lines.append(filled(f"{kind} {claim.number}{'' if ':' in claim.verdict() else ' ' + verdict(claim)}:", ""))
         lines += [filled(check.text(), "  ") for check in claim.checks]
     return "\n".join(lines)
 

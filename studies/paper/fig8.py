@@ -72,15 +72,15 @@ def claims(numbers):
     level = {kind: means[kind][0.0, SHOWN] for kind in KINDS}
     right, faster = "θ = 0: both to the right", level["B"].minus(level["A"])
     return [verdicts.Claim("6a", "Fig. 8", "at θ = 0 both go right and B is faster", (
-                verdicts.both(*(verdicts.right(right, level[kind]) for kind in KINDS)),
-                verdicts.right("θ = 0: B is faster", faster))),
+                verdicts.both(*(verdicts.right(right, level[kind]) for kind in KINDS)).about("to the right"),
+                verdicts.right("θ = 0: B is faster", faster).about("B faster"))),
             verdicts.Claim("6b", "Fig. 8", "at θ = 0.052 they differ little", (
                 parting.differ_little("θ = 0.052: they differ by less than a third of that at 0",
                                       *(means["B"][theta, SHOWN].minus(means["A"][theta, SHOWN])
                                         for theta in (0.0, 0.052))),)),
             *(verdicts.Claim(number, "Fig. 8", f"at θ = {theta:g} A goes right and B left", (parted(numbers, theta),),
                              f"at the printed parameters; see {see}")
-              for number, theta, see in zip(("6c", "6d"), ANGLES, ("A1, A3 and A7", "A1 and A7"))),
+              for number, theta, see in zip(("6c", "6d"), ANGLES, ("A1, A2b and A3", "A1 and A2b"))),
             verdicts.Claim("10", "3.2.1", "in the mixture θ acts more on B than on A", (
                 verdicts.counted("B loses more than A from the least θ to the greatest, at every f", more_moved(means)),
                 ))]
@@ -92,7 +92,8 @@ def text(numbers):
     lines = [[f"{f:g} Hz", *(told(turn[part]) for part in TURNS)] for f, turn in turns
              if f in (turns[0][0], SHOWN, turns[-1][0])]
     return ("A goes to the right and B to the left between the angle at which B reverses and that at which A does (by "
-            "a parabola through the means nearest to it; errors by leaving out one seed):\n\n"
+            "a parabola through the three means nearest to it; its error is that of leaving out one seed and the "
+            "distance to a straight line's):\n\n"
             + table(["f", "B reverses, θ [rad]", "A reverses, θ [rad]", "interval [rad]"], lines))
 
 

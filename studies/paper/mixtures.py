@@ -77,8 +77,7 @@ def claims(numbers):
 
 
 TEXT = ("Q is that of 20 teeth with open ends after 60 s. The intervals are those of θ in which A goes right and B "
-        "left. On 20 teeth, as in Fig. 8, A reverses at a smaller angle, so that the first mixture's interval is "
-        "narrower.")
+        "left, on 10 teeth.")
 
 
 STUDY = Study("mixtures", "Section 3.2.1: mixtures that differ in the radius or the mass alone",

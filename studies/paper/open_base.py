@@ -68,7 +68,7 @@ def parts_late(numbers):
         cell = numbers["drifts"][(*WHOLE, teeth, CLAIMED)]
         says = (f"{teeth:g} teeth, θ = {CLAIMED:g}, over all 60 s (d falls from {PRINTED:g} to "
                 f"{cell['d'].value:.2f}): A to the right, B to the left")
-        yield parted(says, (cell["A"], cell["B"]))
+        yield parted(says, (cell["A"], cell["B"])).about(f"opposite ways on {teeth:g} teeth")
 
 
 def both_left_early(numbers):
@@ -76,7 +76,7 @@ def both_left_early(numbers):
     cell = numbers["drifts"][begin, end, teeth, CLAIMED]
     says = (f"{teeth:g} teeth, θ = {CLAIMED:g}, while the base is full ({begin:g} to {end:g} s, d = "
             f"{cell['d'].value:.2f} at its end): both to the left, as on the periodic base")
-    return verdicts.both(*(verdicts.left(says, cell[kind]) for kind in "AB"))
+    return verdicts.both(*(verdicts.left(says, cell[kind]) for kind in "AB")).about("both left while full")
 
 
 def claims(numbers):

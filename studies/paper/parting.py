@@ -83,7 +83,8 @@ def draw(axes, part):
 
 
 def is_parted(part, d, theta):
-    return class_of(part["ways"][d, theta]) == PARTED
+    """None: undecided."""
+    return parted("", part["ways"][d, theta]).passes
 
 
 def listed(densities):
@@ -92,15 +93,17 @@ def listed(densities):
 
 def at_one(part):
     """A check that one density does for both angles."""
-    found = [d for d in part["turns"] if all(is_parted(part, d, theta) for theta in ANGLES)]
     turns = part["turns"]
+    outcomes = {d: verdicts.all_of(is_parted(part, d, theta) for theta in ANGLES) for d in turns}
+    found, unsure = ([d for d, outcome in outcomes.items() if outcome is wanted] for wanted in (True, None))
     alone = "; ".join(f"at {theta:g} alone at {listed([d for d in turns if is_parted(part, d, theta)])}"
                       for theta in ANGLES)
     widths = {d: turn["window"] for d, turn in turns.items() if turn["window"]}
     widest = max(widths, key=lambda d: widths[d].value)
-    said = (f"at {listed(found)} ({alone}; the widest interval: {widths[widest].text()} rad at d = {widest:g}, and "
+    said = (f"at {listed(found)}, undecided at {listed(unsure)} ({alone}; the widest interval: {widths[widest].text()} rad at d = {widest:g}, and "
             f"both angles need {NEEDED:.3g})")
-    return verdicts.Check("A right and B left at both angles, at one density", said, bool(found))
+    return verdicts.Check("A right and B left at both angles, at one density", said,
+                          True if found else None if unsure else False)
 
 
 def claims(part):

@@ -24,8 +24,8 @@ class Ratchet:
 
 ROWS, ROW_NAME = "density", "d"
 USEFUL = 0.5  # Q from which a mixture counts as segregated: half way from mixed to pure
-RATCHETS = (Ratchet("", "the teeth of Fig. 3", "base.asymmetry", "a = {:g}", "base.frequency", "f = {:g} Hz"),
-            Ratchet("_steep", "small steep teeth", "base.tooth_height", "h = {:g} mm", "base.amplitude",
+RATCHETS = (Ratchet("", "teeth of 20 mm", "base.asymmetry", "a = {:g}", "base.frequency", "f = {:g} Hz"),
+            Ratchet("_steep", "small steep teeth of 5 mm", "base.tooth_height", "h = {:g} mm", "base.amplitude",
                           "amplitude {:g} mm", plots.MM))
 
 
@@ -97,13 +97,13 @@ def differs(fresh):
     mean = fresh["differing"]
     way = mean.surely_above(0.0)
     return verdicts.Check(f"on {RATCHETS[0].about} the kinds drift at different speeds ({fresh['differing_at']})",
-                          f"B less A {verdicts.speed(mean)}", None if way is None else True)
+                          f"B less A {verdicts.speed(mean)}", None if way is None else True, part="different speeds")
 
 
 def opposite(fresh):
     a, b = fresh["opposed"]
     return verdicts.Check(f"on {RATCHETS[1].about} they go opposite ways ({fresh['opposed_at']})",
-                          f"A {verdicts.speed(a)}, B {verdicts.speed(b)}", verdicts.opposite(a, b))
+                          f"A {verdicts.speed(a)}, B {verdicts.speed(b)}", verdicts.opposite(a, b), part="opposite ways")
 
 
 def claims(number, word, fresh):
@@ -111,7 +111,7 @@ def claims(number, word, fresh):
                            f"{word} coefficient can be segregated by an appropriately chosen ratchet",
                            (differs(fresh), opposite(fresh),
                             verdicts.above(f"on an open base Q > {USEFUL:g} ({fresh['quality_at']})", fresh["quality"],
-                                           USEFUL)))]
+                                           USEFUL).about("Q on an open base")))]
 
 
 def text(numbers):

@@ -49,9 +49,9 @@ def draw_onset(axes, numbers):
 
 def turns_afresh(fresh):
     """A check by fresh seeds that the current of a thin layer and of a thicker one have opposite signs."""
-    says = "the current reverses as the layer is made thicker (e = 0.6, 30 Hz)"
+    says = "the current reverses as the layer is made thicker (e = 0.85, 22 Hz)"
     told = ", ".join(f"{verdicts.shown(mean, plots.MM, 'mm/s')} at d = {d:g}" for d, mean in fresh.items())
-    return verdicts.Check(says, told, verdicts.opposite(*fresh.values()))
+    return verdicts.Check(says, told, verdicts.opposite(*fresh.values()), part="it reverses")
 
 
 def largest_step(rows, seeds):
@@ -64,9 +64,10 @@ def sets_in(steps):
     """A check that no single step of the frequency makes the most of the current."""
     says = f"it sets in gradually: of the greatest current no step of 1 Hz makes {100 * SUDDEN:g} %"
     if not steps:
-        return verdicts.Check(says, "—", None)
+        return verdicts.Check(says, "—", None, part="it sets in gradually")
     told = "; ".join(f"e = {e:g}, d = {d:g}: {share.text(100.0)} %" for (e, d), share in steps.items())
-    return verdicts.Check(says, told, verdicts.all_of(share.surely_below(SUDDEN) for share in steps.values()))
+    return verdicts.Check(says, told, verdicts.all_of(share.surely_below(SUDDEN) for share in steps.values()),
+                          part="it sets in gradually")
 
 
 def claims(numbers):

@@ -4,6 +4,7 @@ import pathlib
 import tempfile
 import unittest
 
+from ratchet_sieve.stats import Mean
 from ratchet_sieve.tables import read_rows
 import document
 import paper
@@ -61,6 +62,12 @@ class Documents(unittest.TestCase):
         self.assertIn("2 runs of 10 s, seeds 1 to 2, **1 failed** and left out.", text.replace("\n", " "))
         self.assertIn("### Made by hand\n\nPicture: [A caption](images/paper_made.png). Numbers:", text)
         self.assertIn("ratchet_sieve 0.1.0, physics version 1 (", text)
+
+    def test_the_words_of_a_verdict_are_bold(self):
+        checks = (above("⟨V_x⟩ holds", Mean(1.0, 0.1, 4)), above("", None).about("40 teeth"))
+        self.assertEqual(document.verdict(Claim("1", "", "", checks, "at 5 Hz")),
+                         "**holds**: ⟨V_x⟩ holds; **undecided**: 40 teeth at 5 Hz")
+        self.assertTrue(document.checks([Claim("1", "", "", checks)]).startswith("- Claim 1:\n"))
 
     def test_claims_stand_in_the_order_of_their_numbers(self):
         study = dataclasses.replace(hand_made_study(), claims=lambda _: [
