@@ -76,7 +76,7 @@ def order(numbers, teeth):
     low, *_, high = densities_on(numbers, teeth)
     first, second = ends_of(numbers, teeth)
     return verdicts.above(f"{teeth:g} teeth: best Q at d = {low:g} less that at d = {high:g} is above 0",
-                          first.mean.minus(second.mean)).about(f"higher for low d on {teeth:g} teeth")
+                          first.mean.minus(second.mean)).about(f"low d on {teeth:g} teeth")
 
 
 def emptied(numbers):

@@ -68,7 +68,7 @@ def parts_late(numbers):
         cell = numbers["drifts"][(*WHOLE, teeth, CLAIMED)]
         says = (f"{teeth:g} teeth, θ = {CLAIMED:g}, over all 60 s (d falls from {PRINTED:g} to "
                 f"{cell['d'].value:.2f}): A to the right, B to the left")
-        yield parted(says, (cell["A"], cell["B"])).about(f"opposite ways on {teeth:g} teeth")
+        yield parted(says, (cell["A"], cell["B"])).about(f"{teeth:g} teeth")
 
 
 def both_left_early(numbers):
