@@ -41,9 +41,9 @@ def draw_kinds(means, ratchet, kinds):
     figure, grid = plots.panels(len(rows), len(columns), (8.6, 0.6 + 2.7 * len(rows)), sharex=True, squeeze=False)
     for line, row in zip(grid, rows):
         for axes, column in zip(line, columns):
-            for curve, colour in zip(curves, plots.ramp(len(curves))):
+            for k, curve in enumerate(curves):
                 kind_curves(axes, {theta: means[row, column, curve, theta] for theta in axis(means, 3)},
-                            [f"{kind}, {ratchet.curve.format(ratchet.scale * curve)}" for kind in kinds], colour)
+                            [f"{kind}, {ratchet.curve.format(ratchet.scale * curve)}" for kind in kinds], k)
             plots.signed(axes)
             axes.set_title(f"{ROW_NAME} = {row:g}, {ratchet.column.format(ratchet.scale * column)}")
     for axes in grid[-1]:

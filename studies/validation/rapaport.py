@@ -12,8 +12,8 @@ def draw(numbers):
     restitutions, frequencies, densities = (axis(means, index) for index in range(3))
     figure, row = plots.panels(1, len(restitutions), (8.6, 3.9), sharey=True, squeeze=False)
     for axes, e in zip(row[0], restitutions):
-        for f, colour in zip(frequencies, plots.ramp(len(frequencies))):
-            kind_curves(axes, {d: means[e, f, d] for d in densities}, [f"{kind}, {f:g} Hz" for kind in KINDS], colour)
+        for k, f in enumerate(frequencies):
+            kind_curves(axes, {d: means[e, f, d] for d in densities}, [f"{kind}, {f:g} Hz" for kind in KINDS], k)
         plots.signed(axes)
         axes.set_xscale("log", base=2)
         axes.set_xticks(densities, [f"{d:g}" for d in densities])
