@@ -121,8 +121,9 @@ def text(numbers):
                f"({verdicts.speed(means[place])})" for floor, fresh in numbers["fresh"].items() if floor != FLOOR
                for means in (places(fresh),) for place, mean in known.items()
                if regime(means[place], LEAST) != regime(mean, LEAST)]
-    return (f"The checks are at v_min = {FLOOR:g} m/s. At {' and '.join(f'{f:g}' for f in numbers['fresh'] if f != FLOOR)} "
-            f"m/s the current is {'; '.join(changed) or 'of the same regime everywhere'}.")
+    others = " and ".join(f"{floor:g}" for floor in numbers["fresh"] if floor != FLOOR)
+    return (f"The checks are at v_min = {FLOOR:g} m/s. With {others} m/s the regimes are the same, but for: "
+            f"{'; '.join(changed) or 'none'}.")
 
 
 STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others 2004)",
