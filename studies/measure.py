@@ -33,7 +33,7 @@ def read_arguments():
     parser.add_argument("--folder", type=pathlib.Path, default=WORK / "out/measure", metavar="DIR",
                         help="of a log and a record of each job (default: out/measure)")
     parser.add_argument("--jobs", type=pathlib.Path, default=pathlib.Path(__file__).with_name("measurements.yaml"),
-                        metavar="FILE", help="map from a job's name to its command (default: studies/measurements.yaml)")
+                        metavar="FILE", help="names and commands of the jobs (default: studies/measurements.yaml)")
     options = parser.parse_args()
     options.jobs = yaml.safe_load(options.jobs.read_text(encoding="utf-8"))
     for name in options.only or ():

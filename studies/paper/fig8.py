@@ -1,4 +1,4 @@
-"""Fig. 8: the mean velocity of both kinds of a mixture, over the frequency and the inclination."""
+"""Fig. 8: the mean velocity of both species of a mixture, over the frequency and the inclination."""
 from ratchet_sieve import plots
 from ratchet_sieve.tables import joined
 from ratchet_sieve.texts import table
@@ -23,7 +23,7 @@ def evaluate(rows):
 
 
 def draw_inclinations(numbers):
-    """All inclinations beside those near zero, where the kinds reverse."""
+    """All inclinations beside those near zero, where the species reverse."""
     figure, panels = plots.panels(1, 2, (9.6, 3.9))
     for kind, colour in zip(KINDS, plots.COLOURS):
         points = [(theta, numbers["all"][kind][theta, SHOWN]) for theta in axis(numbers["all"][kind], 0)
@@ -87,7 +87,7 @@ def claims(numbers):
 
 
 def text(numbers):
-    """The headline: where the kinds go opposite ways."""
+    """The headline: where the species go opposite ways."""
     turns = sorted(numbers["turns"].items())
     lines = [[f"{f:g} Hz", *(told(turn[part]) for part in TURNS)] for f, turn in turns
              if f in (turns[0][0], SHOWN, turns[-1][0])]
@@ -106,13 +106,13 @@ def figures(numbers):
 
 
 CAPTION = "d = 3.93; bars: standard errors over the seeds"
-STUDY = Study("fig8", "Fig. 8: both kinds of a mixture",
+STUDY = Study("fig8", "Fig. 8: both species of a mixture",
               ("paper_fig8", "paper_fig8_window"), evaluate,
-              (Picture("fig8_inclination", "Mean velocities of both kinds over the inclination at "
+              (Picture("fig8_inclination", "Mean velocities of both species over the inclination at "
                        f"{SHOWN:g} Hz, {CAPTION}", draw_inclinations),
                Picture("fig8", f"Mean velocities over the frequency at eleven inclinations, {CAPTION}",
                        lambda numbers: draw_kinds(numbers["means"], KINDS)),
-               Picture("fig8_turn", f"The inclinations at which the kinds reverse, over the frequency, {CAPTION}",
+               Picture("fig8_turn", f"The inclinations at which the species reverse, over the frequency, {CAPTION}",
                        draw_turns, size=(6.4, 3.8))), claims, text,
               figures, lambda numbers: {"fig8": velocity_lines(numbers["means"]), "fig8_turn": parting.turn_lines(
                   "f_hz", sorted(numbers["turns"].items()))})

@@ -75,7 +75,7 @@ def directions(numbers):
     against = {theta for ((_, theta, _), _), way in zip(comparisons, outcomes) if way is False}
     said = (f"{outcomes.count(True)} of {len(outcomes)} do, {outcomes.count(False)} go significantly the other way"
             + (f" (at θ = {', '.join(f'{theta:g}' for theta in sorted(against))})" if against else ""))
-    return verdicts.Check("each kind of Fig. 8's mixture goes where its single disks go, at every θ and f", said,
+    return verdicts.Check("each species of Fig. 8's mixture goes where its single disks go, at every θ and f", said,
                           verdicts.all_of(outcomes), part="the directions at every θ and f")
 
 
@@ -91,7 +91,7 @@ def remain(numbers):
 
 def window(numbers):
     single, mixture = numbers["turns"]["single"], numbers["turns"]["mixture"]
-    says, part = "the intervals of θ in which the kinds go opposite ways overlap", "the interval of opposite ways"
+    says, part = "the intervals of θ in which the species go opposite ways overlap", "the interval of opposite ways"
     if None in (mixture["A"], single["B"]):
         return verdicts.Check(says, "—", None, part=part)
     check = verdicts.above(says, mixture["A"].minus(single["B"]), 0.0, 1.0, "rad")

@@ -54,7 +54,8 @@ def tends_to_one(density, line):
 
 def claims(numbers):
     return [verdicts.Claim("A4", "Fig. 9", "Q at the best θ rises with the length of the base, and tends to 1", (
-        verdicts.counted("after 100 s Q at the best θ rises from each length to the next", rising(numbers)).about("it rises"),
+        verdicts.counted("after 100 s Q at the best θ rises from each length to the next", rising(numbers)).about(
+            "it rises"),
         *(tends_to_one(density, line) for density, line in numbers["lines"].items())))]
 
 

@@ -1,4 +1,4 @@
-"""Section 3.2.1: mixtures of kinds that have the same radius or the same mass, against the mixture of Fig. 8."""
+"""Section 3.2.1: mixtures of species that have the same radius or the same mass, against the mixture of Fig. 8."""
 from ratchet_sieve import plots
 from curves import TURNS, best_of, turns_of
 from study import THETA, Picture, Study, csv_lines, means
@@ -70,7 +70,7 @@ def claims(numbers):
     return [verdicts.Claim("7", "3.2.1", text, (
                 verdicts.counted(f"Q at the best θ is lower than that mixture's, {verdicts.shown(best, 1, '')}",
                                  worse(numbers)),)),
-            verdicts.Claim("A5", "3.2.1", "on a periodic base of 10 teeth the kinds of those mixtures go "
+            verdicts.Claim("A5", "3.2.1", "on a periodic base of 10 teeth the species of those mixtures go "
                            "opposite ways in a narrower interval of θ", (
                 verdicts.counted("the interval is narrower than that mixture's, "
                                  f"{verdicts.shown(window, 1, 'rad') if window else '—'}", narrower(numbers)),))]

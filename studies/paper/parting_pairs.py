@@ -37,7 +37,7 @@ PAIRS = (Pair("parting_density_frequency", "density", "d", *F),
 
 
 def draw_map(numbers):
-    """The pair over which the kinds go opposite ways at both angles, at some setting."""
+    """The pair over which the species go opposite ways at both angles, at some setting."""
     figure, row = plots.panels(1, len(parting.ANGLES), (7.6, 2.6), squeeze=False)
     draw_pair(row[0], PAIRS[-1], numbers[PAIRS[-1]])
     plots.class_legend(row[0][-1], parting.COLOURS)
@@ -79,7 +79,7 @@ def draw_pair(row, pair, means):
 
 
 def parted_at(means, theta):
-    """@return places (x, y) where the kinds go opposite ways as the paper's do"""
+    """@return places (x, y) where the species go opposite ways as the paper's do"""
     return {(x, y) for (angle, x, y), pair in means.items()
             if angle == theta and parting.class_of(pair) == parting.PARTED}
 
@@ -110,17 +110,17 @@ def text(numbers):
 
 
 def lines(numbers):
-    """A table for a CSV file: of each pair, setting and angle both kinds' mean velocities."""
+    """A table for a CSV file: of each pair, setting and angle both species' mean velocities."""
     cells = {(pair.x, pair.y, x, y, theta): found for pair, means in numbers.items()
              for (theta, x, y), found in means.items()}
     return csv_lines(("x_key", "y_key", "x", "y", "theta_rad"), WAYS, cells)
 
 
 STUDY = Study("parting_pairs", "Two parameters other than printed (A2a, A2b)",
-              tuple(pair.sweep for pair in PAIRS), lambda rows: {  # of each both kinds' velocities, by (θ, x, y)
+              tuple(pair.sweep for pair in PAIRS), lambda rows: {  # of each both species' velocities, by (θ, x, y)
                   pair: ways(rows[pair.sweep], THETA, pair.x, pair.y) for pair in PAIRS if rows[pair.sweep]},
-              (Picture("parting_map", "Which way both kinds of Fig. 8's mixture go at the two angles of claim 6, over "
-                       "width and height of the teeth, all else as printed; the dot: as printed", draw_map,
+              (Picture("parting_map", "Which way both species of Fig. 8's mixture go at the two angles of claim 6, "
+                       "over width and height of the teeth, all else as printed; the dot: as printed", draw_map,
                        (PAIRS[-1].sweep,)),
                Picture("parting_pairs", "The maps of all pairs; the dot: as printed", draw)),
               lambda numbers: [], text,

@@ -27,7 +27,7 @@ def level(means):
 
 
 def claims(numbers):
-    """@param numbers of each width: map from θ to both kinds' mean velocities [m/s]"""
+    """@param numbers of each width: map from θ to both species' mean velocities [m/s]"""
     return [whole(f"A2{letter}", w, means) for letter, (w, means) in zip("ab", numbers.items())]
 
 
@@ -36,7 +36,8 @@ def whole(number, w, means):
     return verdicts.Claim(number, "Fig. 8", f"all of claim 6 comes out on narrower and higher teeth: {name(w)}", (
         verdicts.counted("θ = 0: both to the right, and B is faster", level(means)).about("θ = 0"),
         parting.differ_little("θ = 0.052: they differ by less than a third of that at 0",
-                              *(means[theta][1].minus(means[theta][0]) for theta in (LEVEL, TILTED))).about("θ = 0.052"),
+                              *(means[theta][1].minus(means[theta][0]) for theta in (LEVEL, TILTED))
+                              ).about("θ = 0.052"),
         verdicts.counted("θ = 0.105 and 0.157: A right and B left", parted(means)).about("θ = 0.105 and 0.157")))
 
 

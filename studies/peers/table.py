@@ -65,8 +65,9 @@ def row(name, own, ours, alike):
               for mean in runs.drift(own)]
     lost = sum(run["lost"] for run in own) / sum(run["duration"] for run in own)
     overlaps = [max(run[key] for run in own) for key in ("overlap", "base_overlap")]
-    return [name, f"{speed:.3g}", f"{speed / ours:.3g}", "—" if rate is None else f"{rate:,.0f}", *drifts, is_near(own, alike),
-            f"{lost:.2g} per s" if lost else "0", ", ".join(f"{MM * overlap:.2g}" for overlap in overlaps)]
+    return [name, f"{speed:.3g}", f"{speed / ours:.3g}", "—" if rate is None else f"{rate:,.0f}", *drifts,
+            is_near(own, alike), f"{lost:.2g} per s" if lost else "0",
+            ", ".join(f"{MM * overlap:.2g}" for overlap in overlaps)]
 
 
 def shared(own):

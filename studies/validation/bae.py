@@ -129,7 +129,7 @@ def text(numbers):
 STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others 2004)",
               ("validation_bae", "validation_bae_fresh"),  # of a search, and of fresh seeds at places that it had found
               lambda rows: {"map": velocities(rows["validation_bae"]), "fresh": {
-                  floor: velocities(group) for floor, group in sorted(rows["validation_bae_fresh"].by(FLOORS).items())}},
+                  floor: velocities(part) for floor, part in sorted(rows["validation_bae_fresh"].by(FLOORS).items())}},
               (Picture("bae_regimes", "Which way single grains go, over the strength of the shaking and the roughness "
                        f"of the teeth, a = 0.3; a current is more than {LEAST * plots.MM:g} mm/s with 95 %",
                        draw_regimes, ("validation_bae",)),

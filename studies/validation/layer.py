@@ -1,4 +1,4 @@
-"""A layer of one kind: its current over its thickness, and over the frequency (Derényi, Tegzes, Vicsek 1998)."""
+"""A layer of one species: its current over its thickness, and over the frequency (Derényi, Tegzes, Vicsek 1998)."""
 from ratchet_sieve import plots
 from ratchet_sieve.stats import jackknife
 from curves import curve_of
@@ -78,7 +78,7 @@ def claims(numbers):
 
 STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)",
               ("validation_layer", "validation_layer_fresh", "validation_layer_onset"), evaluate,
-              (Picture("layer", "Mean velocity of a layer of one kind over its thickness, on steep teeth (w = 6 mm, "
+              (Picture("layer", "Mean velocity of a layer of one species over its thickness, on steep teeth (w = 6 mm, "
                        "h = 5 mm, a = 0.3); bars: standard errors over the seeds", draw, ("validation_layer",)),
                Picture("layer_onset", "Mean velocity of a thin and of a thick layer over the frequency, on the same "
                        "teeth; bars: standard errors over the seeds", draw_onset, ("validation_layer_onset",),

@@ -24,7 +24,7 @@ def draw(numbers):
 
 
 def claims(numbers):
-    """@param numbers fresh: map from the rebound floor to both kinds' mean velocities at one setting [m/s]"""
+    """@param numbers fresh: map from the rebound floor to both species' mean velocities at one setting [m/s]"""
     checks = (verdicts.Check(f"large and small go opposite ways (e = 0.6, 30 Hz, d = 1) at v_min = {floor:g} m/s",
                              f"small {verdicts.speed(small)}, large {verdicts.speed(large)}",
                              verdicts.opposite(small, large), part=f"v_min = {floor:g} m/s")
@@ -37,15 +37,17 @@ def text(numbers):
     means = numbers["means"]
     found = sum(bool(verdicts.opposite(*pair)) for pair in means.values())
     return (f"Of the search's {len(means)} settings (e, f, d) they surely go opposite ways at {found}. The checks "
-            "are at the setting that came nearest to it. 0.05 m/s, the floor of the search, is above 0.6 √(g r) of the small "
-            "disks, which `sieve_run` warns of.")
+            "are at the setting that came nearest to it. 0.05 m/s, the floor of the search, is above 0.6 √(g r) of "
+            "the small disks, which `sieve_run` warns of.")
 
 
-STUDY = Study("rapaport", "Large and small disks in a layer (Rapaport 2001)", ("validation_rapaport", "validation_rapaport_fresh"),
+STUDY = Study("rapaport", "Large and small disks in a layer (Rapaport 2001)",
+              ("validation_rapaport", "validation_rapaport_fresh"),
               lambda rows: {"means": ways(rows["validation_rapaport"], E, F, D),
                             "fresh": ways(rows["validation_rapaport_fresh"], "contact.min_rebound_speed")},
               (Picture("rapaport", "Mean velocities of small (0.5 mm) and large (1 mm) disks in a layer over its "
-                       "thickness, on steep teeth; bars: standard errors over the seeds", draw, ("validation_rapaport",)),),
+                       "thickness, on steep teeth; bars: standard errors over the seeds", draw,
+                       ("validation_rapaport",)),),
               claims, text,
               tables=lambda numbers: {"rapaport": csv_lines(
                   ("e", "f_hz", "d"), ("small_m_per_s", "large_m_per_s"), numbers["means"])})

@@ -63,7 +63,8 @@ class Documents(unittest.TestCase):
         self.assertEqual(table, "f\n20\n")
         self.assertIn("2 runs of 10 s, seeds 1 to 2, **1 failed** and left out.", text.replace("\n", " "))
         self.assertIn("# Checks\n\n## Made by hand\n\nPicture: [A caption](images/paper_made.png). Numbers:", others)
-        self.assertIn("| fig5 | 20 | 0.1 to 0.9 | 20 | 6 | 1 | — | 0.6 | 0.1 | 0.4 | 0.05 | 2 | 12 to 50 | 12 | 6 |", text)
+        self.assertIn("| fig5 | 20 | 0.1 to 0.9 | 20 | 6 | 1 | — | 0.6 | 0.1 | 0.4 | 0.05 | 2 | 12 to 50 | 12 | 6 |",
+                      text)
         self.assertIn("ratchet_sieve 0.1.0, physics version 1 (", text)
 
     def test_the_words_of_a_verdict_are_bold(self):
