@@ -1,5 +1,6 @@
 """Fig. 8: the mean velocity of both species of a mixture, over the frequency and the inclination."""
 from ratchet_sieve import plots
+from ratchet_sieve.stats import quantile
 from ratchet_sieve.tables import joined
 from ratchet_sieve.texts import table
 from curves import TURNS, turns_of
@@ -93,7 +94,8 @@ def text(numbers):
              if f in (turns[0][0], SHOWN, turns[-1][0])]
     return ("A goes to the right and B to the left between the angle at which B reverses and that at which A does (by "
             "a parabola through the three means nearest to it; its error is that of leaving out one seed and the "
-            "distance to a straight line's):\n\n"
+            f"distance to a straight line's). An interval of 95 % is {quantile(turns[0][1]['A'].degrees()):.1f} times as "
+            "wide on either side, since there are few seeds.\n\n"
             + table(["f", "B reverses, θ [rad]", "A reverses, θ [rad]", "interval [rad]"], lines))
 
 
