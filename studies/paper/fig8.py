@@ -19,7 +19,7 @@ WIDE, NEAR = (-0.3, 0.3), (-0.01, 0.17)  # inclinations of both panels [rad]
 def evaluate(rows):
     printed = rows["paper_fig8"]
     every = joined(printed, rows["paper_fig8_window"])
-    return {"means": velocities(printed), "all": velocities(every),
+    return {"means": velocities(printed), "all": velocities(every), "seeds": len(every.values("seed")),
             "turns": {f: turns_of(group, THETA) for f, group in every.by(F).items()}}
 
 
@@ -94,7 +94,7 @@ def text(numbers):
              if f in (turns[0][0], SHOWN, turns[-1][0])]
     return ("A goes to the right and B to the left between the angle at which B reverses and that at which A does (by "
             "a parabola through the three means nearest to it; its error is that of leaving out one seed and the "
-            f"distance to a straight line's). An interval of 95 % is {quantile(turns[0][1]['A'].degrees()):.1f} times as "
+            f"distance to a straight line's). An interval of 95 % is {quantile(numbers['seeds'] - 1):.1f} times as "
             "wide on either side, since there are few seeds.\n\n"
             + table(["f", "B reverses, θ [rad]", "A reverses, θ [rad]", "interval [rad]"], lines))
 

@@ -111,9 +111,9 @@ def text(numbers):
 
 def lines(numbers):
     """A table for a CSV file: of each pair, setting and angle both species' mean velocities."""
-    cells = {(pair.x, pair.y, x, y, theta): found for pair, means in numbers.items()
+    cells = {(pair.sweep, pair.x, pair.y, x, y, theta): found for pair, means in numbers.items()
              for (theta, x, y), found in means.items()}
-    return csv_lines(("x_key", "y_key", "x", "y", "theta_rad"), WAYS, cells)
+    return csv_lines(("sweep", "x_key", "y_key", "x", "y", "theta_rad"), WAYS, cells)
 
 
 STUDY = Study("parting_pairs", "Two parameters other than printed (A2a, A2b)",
