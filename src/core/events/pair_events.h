@@ -14,7 +14,7 @@ namespace ratchet_sieve
 {
 
 /// The first event of each type on a disk's present flight.
-struct DiskPrediction
+struct alignas(64) DiskPrediction
 {
   PairContact pair;
   std::uint32_t partner_event_count = 0;  ///< the partner's count at the prediction
