@@ -113,7 +113,7 @@ TEST(Collapse, OfSeveralDisksAtOneTimeTheSmallestIdIsTheFirst)
   contact.on_collapse = CollapseAction::REBOUND;
   contact.collapse_events = 10;
   const DiskIds ids;
-  std::vector<DiskRecord> disks(3);
+  SlotArray<DiskRecord> disks(3);
   CollapseWatch watch(contact, 1.0, 1.0, disks, ids);
   for (int k = 0; !watch.stuck(0); ++k)
     for (const std::uint32_t disk : {1, 2, 0})

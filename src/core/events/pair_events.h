@@ -49,7 +49,7 @@ struct PairLayer
 
   SystemState& state;
   DiskCells cells;
-  std::vector<DiskPrediction> predictions;  ///< per disk
+  SlotArray<DiskPrediction> predictions;  ///< per disk
 };
 
 /// The events of colliding disks. Each disk has one event in the queue, its earliest: a pair contact, a base
