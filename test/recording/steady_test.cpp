@@ -91,21 +91,6 @@ TEST(Steady, HasItsNumbersWithErrorsInTheSummary)
   }
 }
 
-TEST(Steady, IsTheSameOfAResumedRun)
-{
-  const SceneDefinition scene = fedMixture();
-  Simulation whole(scene);
-  Simulation first(scene);
-  first.advanceTo(7.3);
-  Simulation resumed = restoreRun(saveRun(first), scene);
-  resumed.setThreads(2);
-  RunOutcome outcome = runToEnd(whole, {});
-  const nlohmann::ordered_json expected = summarize(whole, outcome);
-  outcome = runToEnd(resumed, {});
-  EXPECT_EQ(summarize(resumed, outcome).at("steady").dump(), expected.at("steady").dump());
-  EXPECT_FALSE(expected.at("steady").is_null());
-}
-
 TEST(Steady, HasAReasonWhereThereIsNone)
 {
   EXPECT_EQ(reasonOf(smallMixture()), "no feed: nothing comes in");

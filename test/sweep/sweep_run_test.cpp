@@ -152,18 +152,6 @@ TEST_F(SweepRunTest, RunsOfAGrownSweepOnlyWhatIsNew)
   EXPECT_EQ(tableOf(results_), tableOf(directory_ / "at_once.db"));
 }
 
-TEST_F(SweepRunTest, DependsOnNoNumberOfThreads)
-{
-  const Sweep sweep = load("grid: {base.inclination: {from: -0.2, to: 0.2, count: 21}}\n");
-  SweepRunOptions options;
-  options.threads = 1;
-  runSweep(sweep, results_, options);
-  options.threads = 5;
-  runSweep(sweep, directory_ / "five.db", options);
-  EXPECT_EQ(tableOf(results_), tableOf(directory_ / "five.db"));
-  EXPECT_EQ(tableOf(results_).size(), 21u);
-}
-
 TEST_F(SweepRunTest, SharesCasesWithAnotherSweepThatHasOtherKeys)
 {
   runSweep(load("grid: {base.inclination: [0, 0.1]}\n"), results_, {});
