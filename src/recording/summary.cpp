@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/recording/certainty.h"
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/recording/steady.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/statistics/segregation.h"
 
 namespace ratchet_sieve
 {

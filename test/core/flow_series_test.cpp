@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/flow_series.h"
+#include "ratchet_sieve/statistics/flow_series.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ratchet_sieve/core/flow_series.h"
+#include "ratchet_sieve/statistics/flow_series.h"
 
 namespace ratchet_sieve
 {

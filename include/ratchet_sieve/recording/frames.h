@@ -9,9 +9,9 @@
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/results.h"
-#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/statistics_window.h"
+#include "ratchet_sieve/statistics/segregation.h"
 
 /// The frames of a run: plain structs that are the same for topics, bags and analysis.
 namespace ratchet_sieve

@@ -6,9 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "ratchet_sieve/core/fields.h"
-#include "ratchet_sieve/core/state_archive.h"
-
 namespace ratchet_sieve
 {
 
@@ -23,17 +20,12 @@ struct SpeciesBins
 
   std::uint64_t counted() const { return left + right; }
 
-  void archive(StateArchive& state) { state(left, right, on_base, left_mass, right_mass); }
+  template <typename Archive>
+  void archive(Archive& state)
+  {
+    state(left, right, on_base, left_mass, right_mass);
+  }
 };
-
-RATCHET_SIEVE_FIELDS(SpeciesBins)
-{
-  RATCHET_SIEVE_FIELD(left, "");
-  RATCHET_SIEVE_FIELD(right, "");
-  RATCHET_SIEVE_FIELD(on_base, "");
-  RATCHET_SIEVE_FIELD(left_mass, "kg");
-  RATCHET_SIEVE_FIELD(right_mass, "kg");
-}
 
 /// What fell into the bins within an interval that ends at the present time.
 struct ExitWindow

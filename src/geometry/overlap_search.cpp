@@ -1,4 +1,4 @@
-#include "search/overlap_search.h"
+#include "ratchet_sieve/geometry/overlap_search.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>

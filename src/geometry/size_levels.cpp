@@ -1,4 +1,4 @@
-#include "search/size_levels.h"
+#include "ratchet_sieve/geometry/size_levels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "search/size_levels.h"
+#include "ratchet_sieve/geometry/size_levels.h"
 
 namespace ratchet_sieve
 {

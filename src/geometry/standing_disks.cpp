@@ -1,4 +1,4 @@
-#include "search/standing_disks.h"
+#include "ratchet_sieve/geometry/standing_disks.h"
 
 #include <algorithm>
 #include <cmath>

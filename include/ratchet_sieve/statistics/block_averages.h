@@ -4,8 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "ratchet_sieve/core/state_archive.h"
-
 namespace ratchet_sieve
 {
 
@@ -16,7 +14,11 @@ struct BlockSum
   double sum = 0.0;
   double weight = 0.0;
 
-  void archive(StateArchive& state) { state(sum, weight); }
+  template <typename Archive>
+  void archive(Archive& state)
+  {
+    state(sum, weight);
+  }
 };
 
 /// The standard error of the ratio, and the number of independent blocks from which an error as certain would
@@ -60,7 +62,11 @@ public:
   const std::vector<BlockSum>& blocks() const { return blocks_; }
   std::size_t blockLength() const { return block_length_; }
 
-  void archive(StateArchive& state) { state(blocks_, open_, samples_, block_length_); }
+  template <typename Archive>
+  void archive(Archive& state)
+  {
+    state(blocks_, open_, samples_, block_length_);
+  }
 
   /// With fewer blocks than this the layer of Fig. 8, which remembers four to six periods of the drive, has
   /// errors that are more than 10 % too small.

@@ -2,8 +2,9 @@
 
 #include <vector>
 
-#include "ratchet_sieve/core/flow_series.h"
-#include "ratchet_sieve/core/segregation.h"
+#include "observe/bins.h"
+#include "ratchet_sieve/statistics/flow_series.h"
+#include "ratchet_sieve/statistics/segregation.h"
 #include "state/observer.h"
 
 namespace ratchet_sieve
@@ -13,7 +14,8 @@ namespace ratchet_sieve
 class FlowBlocks final : public Observer
 {
 public:
-  explicit FlowBlocks(const SystemState& system);
+  /// @param bins outlive this
+  explicit FlowBlocks(const Bins& bins);
 
   unsigned subscriptions() const override { return BLOCKS; }
   void restart(double time) override;
@@ -46,7 +48,7 @@ private:
     void archive(StateArchive& state) { state(left, right, inside, before); }
   };
 
-  const SystemState& system_;
+  const Bins& bins_;
   std::vector<Row> rows_;  ///< per species
 };
 

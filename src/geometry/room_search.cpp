@@ -1,4 +1,4 @@
-#include "search/room_search.h"
+#include "ratchet_sieve/geometry/room_search.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "search/standing_disks.h"
+#include "ratchet_sieve/geometry/standing_disks.h"
 
 namespace ratchet_sieve
 {

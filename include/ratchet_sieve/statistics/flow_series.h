@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ratchet_sieve/core/block_averages.h"
+#include "ratchet_sieve/statistics/block_averages.h"
 
 namespace ratchet_sieve
 {

@@ -1,4 +1,4 @@
-#include "state/height_slices.h"
+#include "ratchet_sieve/statistics/height_slices.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,6 @@
-#include "state/flow_blocks.h"
+#include "observe/flow_blocks.h"
 
 #include <algorithm>
-
-#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
@@ -18,14 +16,14 @@ std::vector<BlockSum> timed(const BlockAverages& averages, double block_time)
 }
 }  // namespace
 
-FlowBlocks::FlowBlocks(const SystemState& system) : system_(system), rows_(system.scene().species.size()) {}
+FlowBlocks::FlowBlocks(const Bins& bins) : bins_(bins), rows_(bins.ofSpecies().size()) {}
 
 void FlowBlocks::restart(double /*time*/)
 {
   for (std::size_t s = 0; s < rows_.size(); ++s)
   {
     rows_[s] = Row();
-    rows_[s].before = system_.log().bins()[s];
+    rows_[s].before = bins_.ofSpecies()[s];
   }
 }
 
@@ -39,7 +37,7 @@ void FlowBlocks::endBlock(double /*time*/)
   for (std::size_t s = 0; s < rows_.size(); ++s)
   {
     Row& row = rows_[s];
-    const SpeciesBins& now = system_.log().bins()[s];
+    const SpeciesBins& now = bins_.ofSpecies()[s];
     add(row.left, now.left - row.before.left, now.left_mass - row.before.left_mass);
     add(row.right, now.right - row.before.right, now.right_mass - row.before.right_mass);
     row.inside.add(static_cast<double>(now.on_base), 1.0);

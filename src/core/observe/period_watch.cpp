@@ -1,4 +1,4 @@
-#include "state/period_watch.h"
+#include "observe/period_watch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "ratchet_sieve/core/results.h"
-#include "ratchet_sieve/core/state_archive.h"
-
 namespace ratchet_sieve
 {
 
@@ -56,17 +53,21 @@ public:
     return std::nullopt;
   }
 
-  /// Lower and upper edge [s] and count of every bin, from the first to the last that is not empty.
-  std::vector<ObservedColumn> table() const
+  /// Calls visit(from, to, count) for every bin, from the first to the last that is not empty; its edges in
+  /// s.
+  template <typename Visit>
+  void forEachBin(Visit&& visit) const
   {
-    std::vector<ObservedColumn> columns{{"from", "s", {}}, {"to", "s", {}}, {"count", "", {}}};
     const auto first = std::find_if(counts_.begin(), counts_.end(), [](std::uint64_t n) { return n > 0; });
     for (auto bin = static_cast<std::size_t>(first - counts_.begin()); bin < counts_.size(); ++bin)
-      addLine(columns, {edge(bin), edge(bin + 1), static_cast<double>(counts_[bin])});
-    return columns;
+      visit(edge(bin), edge(bin + 1), static_cast<double>(counts_[bin]));
   }
 
-  void archive(StateArchive& state) { state(times_, sum_, squares_, counts_); }
+  template <typename Archive>
+  void archive(Archive& state)
+  {
+    state(times_, sum_, squares_, counts_);
+  }
 
 private:
   /// Times below are in the first bin, times above in the last: 2^-20 s and 2^30 s.

@@ -1,9 +1,10 @@
 #include <array>
 #include <stdexcept>
 
-#include "ratchet_sieve/core/block_averages.h"
+#include "observe/observable.h"
+#include "ratchet_sieve/statistics/block_averages.h"
+#include "ratchet_sieve/statistics/time_histogram.h"
 #include "state/system_state.h"
-#include "state/time_histogram.h"
 
 namespace ratchet_sieve
 {
@@ -39,6 +40,13 @@ struct PerBin
 
   void archive(StateArchive& state) { state(bins); }
 };
+
+std::vector<ObservedColumn> tableOf(const TimeHistogram& times)
+{
+  std::vector<ObservedColumn> table{{"from", "s", {}}, {"to", "s", {}}, {"count", "", {}}};
+  times.forEachBin([&](double from, double to, double count) { addLine(table, {from, to, count}); });
+  return table;
+}
 
 constexpr const char* MASS_FLOW = "mass_flow";
 constexpr const char* RESIDENCE_TIMES = "residence_times";
@@ -151,7 +159,7 @@ public:
                                                  {"quantile_10", "s", times.quantile(0.1)},
                                                  {"median", "s", times.quantile(0.5)},
                                                  {"quantile_90", "s", times.quantile(0.9)}},
-                                                times.table()};
+                                                tableOf(times)};
                            });
   }
 

@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "ratchet_sieve/core/state_archive.h"
-
 namespace ratchet_sieve
 {
 
@@ -26,7 +24,11 @@ struct SizeLevels
     return level;
   }
 
-  void archive(StateArchive& state) { state(diameters); }
+  template <typename Archive>
+  void archive(Archive& state)
+  {
+    state(diameters);
+  }
 };
 
 /// Whether most disks are so much smaller than the largest that cells of its size would hold far too many.
