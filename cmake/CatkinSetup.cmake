@@ -48,7 +48,7 @@ add_message_files(FILES
   SeekTrial.msg
   SieveStatistics.msg
   SpeciesStatistics.msg)
-add_service_files(FILES LockStep.srv PourDisks.srv ResetSimulation.srv StepSimulation.srv)
+add_service_files(FILES LockStep.srv PourBetween.srv PourDisks.srv ResetSimulation.srv StepSimulation.srv)
 generate_messages(DEPENDENCIES std_msgs)
 
 catkin_package(

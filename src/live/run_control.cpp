@@ -261,7 +261,7 @@ Outcome RunControl::resetWorld()
   }
 }
 
-Outcome RunControl::pour(const std::string& species, std::size_t count)
+Outcome RunControl::pour(const std::string& species, std::size_t count, const std::optional<Stretch>& between)
 {
   if (count < 1 || count > MOST_POURED)
     return {false, "count " + std::to_string(count) + ": must be from 1 to " + std::to_string(MOST_POURED)};
@@ -275,6 +275,8 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
     CommandFrame command = plainCommand(CommandKind::POUR);
     command.species = static_cast<std::uint32_t>(found - all.begin());
     command.count = static_cast<std::uint32_t>(count);
+    if (between)
+      command.values = {between->from, between->to};
     run_->applyCommand(command);
   }
   catch (const std::invalid_argument& error)

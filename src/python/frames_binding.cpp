@@ -11,6 +11,7 @@
 #include <pybind11/stl.h>
 
 #include "bindings.h"
+#include "ratchet_sieve/page/answer_page.h"
 #include "ratchet_sieve/page/live_page.h"
 #include "ratchet_sieve/page/run_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
@@ -94,13 +95,15 @@ void writePageOf(const std::string& path, const std::string& title, const Scene&
   page.write(path, title, warnings);
 }
 
-void writeLivePageOf(const std::string& path, const std::vector<std::pair<std::string, Scene>>& scenes,
+using OfferedParts = std::tuple<std::string, std::string, std::string, Scene>;
+
+void writeLivePageOf(const std::string& path, const std::vector<OfferedParts>& scenes,
                      const py::bytes& engine)
 {
   std::vector<OfferedScene> offered;
   offered.reserve(scenes.size());
-  for (const auto& [name, scene] : scenes)
-    offered.push_back({name, scene});
+  for (const auto& [name, title, sentence, scene] : scenes)
+    offered.push_back({name, title, sentence, scene});
   writeLivePage(path, offered, engine);
 }
 
@@ -133,6 +136,7 @@ void bindFrames(py::module_& module)
             return NamedFile{name, path};
           }));
   module.def("require_distinct", &requireDistinct, py::arg("inputs"), py::arg("outputs"));
+  module.def("answer_page", &answerPage, py::arg("answer"));
   module.def("write_live_page", &writeLivePageOf, py::arg("path"), py::arg("scenes"), py::arg("engine"));
 }
 

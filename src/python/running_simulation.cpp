@@ -113,10 +113,12 @@ void RunningSimulation::setSlewRates(const SlewRates& rates)
   Use(*this)->setSlewRates(rates);
 }
 
-void RunningSimulation::pour(std::size_t species, std::size_t count)
+void RunningSimulation::pour(std::size_t species, std::size_t count,
+                             const std::optional<std::pair<double, double>>& between)
 {
+  const auto stretch = between ? std::optional(Stretch{between->first, between->second}) : std::nullopt;
   Use simulation(*this);
-  stoppable([&](const PourObserver& observer) { simulation->pour(species, count, observer); });
+  stoppable([&](const PourObserver& observer) { simulation->pour(species, count, stretch, observer); });
 }
 
 void RunningSimulation::advanceTo(double time, const std::function<bool()>& stop_wanted)

@@ -5,8 +5,10 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <pybind11/pybind11.h>
 
@@ -88,7 +90,7 @@ public:
   void setSlewRates(const SlewRates& rates);
 
   /// Pours more disks, with Python's lock let go; a signal cancels it. @throws as Simulation
-  void pour(std::size_t species, std::size_t count);
+  void pour(std::size_t species, std::size_t count, const std::optional<std::pair<double, double>>& between);
 
   /// Advances until `stop_wanted`, which is asked every few hundredths of a second. The simulation then
   /// stands at an earlier time and may be used as before. @pre Python's lock is let go @throws StallError

@@ -81,7 +81,7 @@ void bindSimulation(py::module_& module)
       .def("command", &RunningSimulation::command, py::arg("setpoints"))
       .def("set_slew_rates", &setSlewRates, py::arg("inclination"), py::arg("frequency"),
            py::arg("amplitude"))
-      .def("pour", &RunningSimulation::pour, py::arg("species"), py::arg("count"))
+      .def("pour", &RunningSimulation::pour, py::arg("species"), py::arg("count"), py::arg("between"))
       .def("disks", &disks)
       .def("time", read(&Simulation::time))
       .def("active_disks", read(&Simulation::activeDisks))

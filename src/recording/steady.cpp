@@ -222,9 +222,9 @@ std::string steadyText(const Simulation& simulation, const Steadiness& steadines
       std::abs(whole.value - steady.value) <= std::max(whole.half_width, steady.half_width))
     return {};
   return fmt::format(
-      "the separation since the start, {:.3g} +- {:.2g}, is not that of the filled machine: since {:.3g} s "
+      "the separation since the start, {:.3g} ± {:.2g}, is not that of the filled machine: since {:.3g} s "
       "it "
-      "is {:.3g} +- {:.2g} (steady.separation)",
+      "is {:.3g} ± {:.2g} (steady.separation)",
       whole.value, whole.half_width, state.from, steady.value, steady.half_width);
 }
 

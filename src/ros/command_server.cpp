@@ -92,6 +92,13 @@ void CommandServer::offerServices(ros::NodeHandle& private_node)
   offer<PourDisks>(private_node, "pour",
                    [this](auto& request, auto& response)
                    { answer("pour", control_.pour(request.species, request.count), response); });
+  offer<PourBetween>(private_node, "pour_between",
+                     [this](auto& request, auto& response)
+                     {
+                       const Stretch between{request.left, request.right};
+                       answer("pour_between", control_.pour(request.species, request.count, between),
+                              response);
+                     });
 }
 
 void CommandServer::takeSetpoint(const Setpoint& setpoint,

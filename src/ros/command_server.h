@@ -13,6 +13,7 @@
 #include "diagnostics.h"
 #include "node_parameters.h"
 #include "ratchet_sieve/LockStep.h"
+#include "ratchet_sieve/PourBetween.h"
 #include "ratchet_sieve/PourDisks.h"
 #include "ratchet_sieve/ResetSimulation.h"
 #include "ratchet_sieve/StepSimulation.h"

@@ -1,6 +1,7 @@
 #include "ratchet_sieve/core/simulation.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -82,9 +83,24 @@ TEST(Simulation, ALaterPourThatIsRefusedOrCancelledChangesNothing)
   const std::string before = simulation.saveState();
   EXPECT_THROW(simulation.pour(0, MOST_DISKS - 59), std::invalid_argument);
   EXPECT_THROW(simulation.pour(0, std::size_t{1} << 63), std::invalid_argument);
-  EXPECT_THROW(simulation.pour(0, 2000, [](std::size_t poured, std::size_t /*of*/) { throw poured; }),
+  EXPECT_THROW(simulation.pour(0, 2000, {}, [](std::size_t poured, std::size_t /*of*/) { throw poured; }),
                std::size_t);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Stretch& wrong : {Stretch{-0.01, 0.1}, Stretch{0.2, 0.1}, Stretch{7.0, 8.0}, Stretch{nan, nan}})
+    EXPECT_THROW(simulation.pour(0, 1, wrong), std::invalid_argument);
   EXPECT_EQ(simulation.saveState(), before);
+}
+
+TEST(Simulation, APourBetweenTwoPlacesIsBetweenThem)
+{
+  Simulation simulation(test::mixture(0));
+  simulation.pour(1, 50, Stretch{0.1, 0.12});
+  ASSERT_EQ(simulation.activeDisks(), 50u);
+  for (const DiskState& disk : simulation.disks())
+  {
+    EXPECT_GE(disk.x, 0.1);
+    EXPECT_LE(disk.x, 0.12);
+  }
 }
 
 TEST(Simulation, DisplacementIsUnwrappedAndPlacesAreNot)

@@ -48,7 +48,7 @@ def test_the_best_setting_is_of_the_highest_mean_not_of_one_lucky_seed(cases):
         "values": {KEY: "0.1"}, "quality": pytest.approx(0.55), "separation": pytest.approx(-0.55),
         "quality_stderr": pytest.approx(0.05 / math.sqrt(3)), "seeds": 3, "processed": pytest.approx(0.9),
         "counted": 100.0, "at_edge": []}
-    assert found["lines"] == ["best mean Q 0.550 +- 0.029 over 3 seeds, P 0.90, 100 disks counted: "
+    assert found["lines"] == ["best mean Q 0.550 ± 0.029 over 3 seeds, P 0.90, 100 disks counted: "
                               "base.inclination=0.1", "warning in every case: hot"]
 
 
@@ -100,7 +100,7 @@ def test_means_at_two_floors_are_compared_by_students_t():
 
     # Student's t with 3 degrees of freedom is 3.182: 3.182 sqrt(0.03^2 + 0.04^2) = 0.159
     lines, found = floor_lines([(0.05, at(0.6, 0.03)), (0.0125, at(0.4, 0.04))])
-    assert lines[-1] == f"quality changes by -0.2 +- 0.16 from 0.05 to 0.0125 m/s: it depends on {FLOOR} " \
+    assert lines[-1] == f"quality changes by -0.2 ± 0.16 from 0.05 to 0.0125 m/s: it depends on {FLOOR} " \
                         "(half-width of 95 %)"
     assert found[1] == {"min_rebound_speed": 0.0125, "quality": pytest.approx(0.4),
                         "quality_stderr": pytest.approx(0.04), "seeds": 4}

@@ -21,13 +21,16 @@ TEST_F(SieveRun, SumsUpOnStandardOutput)
 {
   const Result result = run(config("demo.yaml") + " --duration 0.5 --seed 7 --set base.inclination=0.1");
   EXPECT_EQ(result.status, 0) << result.errors;
+  const std::string size = "sieve_run: 266 disks, at rest a layer of about 0.0166 m, about 1 MB of memory\n";
+  const std::string closing = "sieve_run: Q undefined, P 0.00; A: 0 left, 0 right; B: 0 left, 0 right\n";
+  EXPECT_EQ(result.errors, size + closing);
   EXPECT_EQ(
-      result.errors,
+      run(config("demo.yaml") + " --duration 0.5 --seed 7 --set base.inclination=0.1 -v").errors,
       "sieve_run: plan: pairs, spin, drive, no contact times (contact_duration is 0), "
       "no base search above the base's reach, "
       "no SIMD (only for independent disks without contact times on a periodic sawtooth with a vertical "
-      "sine drive)\n"
-      "sieve_run: 266 disks, at rest a layer of about 0.0166 m, about 1 MB of memory\n");
+      "sine drive)\n" +
+          size + closing);
   const Json json = Json::parse(result.output);
   EXPECT_EQ(json["seed"], 7);
   EXPECT_EQ(json["simulated_time"], 0.5);

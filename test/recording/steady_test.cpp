@@ -123,8 +123,8 @@ TEST(Steady, WarnsWhereTheWholeRunDiffers)
   certainty.separation = SeparationEstimate{{0.292, 0.016}, 0.016, 1.0};
   EXPECT_EQ(
       steadyText(simulation, steadiness, certainty),
-      "the separation since the start, 0.292 +- 0.016, is not that of the filled machine: since 41 s it is "
-      "0.21 +- 0.02 (steady.separation)");
+      "the separation since the start, 0.292 ± 0.016, is not that of the filled machine: since 41 s it is "
+      "0.21 ± 0.02 (steady.separation)");
   certainty.separation->estimate.value = 0.229;
   EXPECT_EQ(steadyText(simulation, steadiness, certainty), "");
   steadiness.state.reset();

@@ -58,7 +58,8 @@ public:
       case 2:
         return control.command(Quantity::AMPLITUDE, 0.003 * share);
       case 3:
-        return expect(control.pour(share < 0.5 ? "A" : "B", 1 + static_cast<std::size_t>(3.0 * share)));
+        return expect(control.pour(share < 0.5 ? "A" : "B", 1 + static_cast<std::size_t>(3.0 * share),
+                                   share < 0.3 ? std::optional(Stretch{0.01 * share, 0.01}) : std::nullopt));
       case 4:
         control.unpause();
         return control.pause();

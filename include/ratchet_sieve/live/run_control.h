@@ -110,7 +110,7 @@ public:
   /// `initial`.
   Outcome resetWorld();
 
-  Outcome pour(const std::string& species, std::size_t count);
+  Outcome pour(const std::string& species, std::size_t count, const std::optional<Stretch>& between = {});
 
   /// The commanded value of a quantity.
   double commanded(Quantity quantity) const;

@@ -11,13 +11,21 @@ Runs the scene at many settings, more often and longer where it pays, until no s
 than --within, and then the best with fresh seeds until the result is as sure."""
 EPILOG = """Exit status: 0 if there is an answer, also that nothing is separated; 2 for bad arguments or a bad scene
 (nothing is run); 1 for any other error. Ctrl-C and the end of --budget give the answer so far; the same command
-continues. Example:
-  sieve_separate feeder.yaml --over base.inclination=0:0.35 --over base.frequency=10:50 --html answer.html"""
+continues.
+
+Example: sieve_separate feeder.yaml --over base.inclination=0:0.35 --over base.frequency=10:50 --html answer.html"""
+
+
+class Paragraphs(argparse.HelpFormatter):
+    """Fills each paragraph of a description by itself."""
+
+    def _fill_text(self, text, width, indent):
+        return "\n\n".join(super(Paragraphs, self)._fill_text(each, width, indent) for each in text.split("\n\n"))
 
 
 def make_parser():
     parser = argparse.ArgumentParser(prog="sieve_separate", description=DESCRIPTION, epilog=EPILOG,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+                                     formatter_class=Paragraphs)
     parser.add_argument("scene", metavar="SCENE", help="scene file (YAML)")
     parser.add_argument("--over", metavar="KEY=FROM:TO", action="append", required=True,
                         help="a key of the scene and its range; repeatable")

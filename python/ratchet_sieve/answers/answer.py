@@ -1,10 +1,7 @@
 """What a search for the best setting found."""
 from __future__ import annotations
 
-import base64
 import dataclasses
-import html
-import io
 import json
 from typing import Any, Optional
 
@@ -13,18 +10,6 @@ import pandas
 from ratchet_sieve.answers.products import Batch, batch_of
 from ratchet_sieve.texts import at_most, counted, plus_minus, shown, which_way
 from ratchet_sieve.values import Values
-
-PAGE = """<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>{title}</title>
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
-<style>body {{font: 16px/1.5 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em}}
-pre {{white-space: pre-wrap}} img {{max-width: 100%}} table {{border-collapse: collapse}}
-td, th {{padding: 0.1em 0.8em; text-align: right; border-bottom: 1px solid #ddd}}</style></head>
-<body><h1>{title}</h1><pre>{text}</pre>{rest}</body></html>
-"""
-REST = """<img alt="The surface over the ranges" src="data:image/png;base64,{picture}">
-<h2>Settings that are as good{first}</h2>{table}"""
-MOST_ROWS = 40  # of the page's table
 
 
 @dataclasses.dataclass(frozen=True)
@@ -220,18 +205,9 @@ class Answer:
             ".json": lambda: json.dumps(self.as_json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n"}, self.plot)
 
     def _page(self) -> str:
-        return PAGE.format(title=html.escape(f"Which settings part {' and '.join(self.machine.scene.species)}"),
-                           text=html.escape(str(self)), rest=self._map_and_table() if self.best else "")
+        from .page import page_of
 
-    def _map_and_table(self) -> str:
-        from ratchet_sieve.plots.style import styled
-
-        picture, rows = io.BytesIO(), len(self.as_good)
-        with styled():
-            self.plot().figure.savefig(picture, format="png", dpi=150, bbox_inches="tight")
-        return REST.format(picture=base64.b64encode(picture.getvalue()).decode(),
-                           first=f": the first {MOST_ROWS} of {rows}" if rows > MOST_ROWS else "",
-                           table=self.as_good.head(MOST_ROWS).to_html(index=False, float_format="{:.4g}".format))
+        return page_of(self)
 
 
 def _with_unit(key: str, value: float) -> str:

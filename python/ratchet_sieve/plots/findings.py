@@ -48,7 +48,7 @@ def best_setting(rows, ended, seeds, limits):
 def mean_text(rows):
     mean = rows.mean('quality')
     over = f"over {counted(mean.count, 'seed')}"
-    over = f'{over} (error unknown)' if mean.error is None else f'+- {mean.error:.3f} {over}'
+    over = f'{over} (error unknown)' if mean.error is None else f'± {mean.error:.3f} {over}'
     disks = counted(math.floor(of_all(rows, 'counted') + 0.5), 'disk')
     return f"{mean.value:.3f} {over}, P {of_all(rows, 'processed'):.2f}, {disks} counted"
 
@@ -131,5 +131,5 @@ def floor_lines(checked):
     moved, width = last.value - first.value, math.hypot(first.half_width(), last.half_width())
     verdict = f'it depends on {FLOOR}' if abs(moved) > width else \
         f'no significant dependence on {FLOOR}; a change of up to {abs(moved) + width:.2g} is not excluded'
-    return [*lines, f'quality changes by {moved:+.3g} +- {width:.2g} from {checked[0][0]:g} to {checked[-1][0]:g} m/s: '
+    return [*lines, f'quality changes by {moved:+.3g} ± {width:.2g} from {checked[0][0]:g} to {checked[-1][0]:g} m/s: '
                     f'{verdict} (half-width of 95 %)'], found
