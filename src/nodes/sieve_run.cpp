@@ -157,7 +157,7 @@ int run(const RunArguments& arguments)
   const bool through = outcome.end != RunEnd::STOPPED && outcome.end != RunEnd::STALLED;
   nlohmann::ordered_json summary = summarize(simulation, outcome);
   const bool checked = !arguments.check_floor || !through || checkFloor(scene.definition, summary);
-  const bool complete = outputs.finish(summary, outcome.warnings);
+  const bool complete = outputs.finish(summary);
   return through && not_saved.empty() && checked && complete ? DONE : FAILED;
 }
 
