@@ -375,10 +375,11 @@ def test_a_run_that_has_not_settled_is_run_again_as_long_as_it_needs_or_given_up
         return {"simulated_time": units * short, "duration": units * short, "steady_needs": needs and needs * short,
                 **reason, **others}
 
-    machine, rows = told([row(1, None), row(1, 3), row(1, 40), row(4, 13), row(4, 40), row(16, None), row(1, 3, status="cut"),
+    machine, rows = told([row(1, None), row(1, 3), row(1, 60), row(4, 13), row(10, 40), row(40, None), row(1, 3, status="cut"),
                           row(1, None, steady_reason="choked: by 1 s"), steady((29, 0), (30, 60))])
-    units = machine.longer(rows, machine.observed(rows))
+    units, at_last = machine.longer(rows, machine.observed(rows))
     assert list(units) == pytest.approx([2.0, 3.3, 4.0, 14.3, np.inf, np.inf, 1.0, np.inf, np.inf])
+    assert list(at_last[:4]) == pytest.approx([2.0, 3.3, 40.0, 14.3])
     assert search.usual_length(machine, rows.iloc[:3]) == pytest.approx(3.3)
     assert search.usual_length(machine, rows.iloc[-1:]) == pytest.approx(40.0 / short)
 

@@ -214,7 +214,7 @@ def _seen(machine, places, duration, seeds, options, show=lambda done: None):
                            progress=lambda done, failed, count: show(f"{done + failed} of {count}"))
         for k, part in zip(left, np.split(rows, len(left))):
             parts[k] = part
-        longer = [machine.longer(parts[k], machine.observed(parts[k])) for k in left]
+        longer = [machine.longer(parts[k], machine.observed(parts[k]))[0] for k in left]
         lengths[left] = [max(units[np.isfinite(units)], default=np.inf) for units in longer]
         left = left[np.isfinite(lengths[left])]
     rows = pandas.concat(parts, ignore_index=True)

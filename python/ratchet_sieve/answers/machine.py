@@ -15,7 +15,8 @@ from ratchet_sieve.tables import writing
 FED = 400              # disks that the shortest run of a fed machine is given
 PERIODS = 40.0         # of the drive, in which a choked one is found to be so
 RESIDENCES = 10.0      # mean times in the machine that a run of a fed machine lasts, once they are known
-LONGEST = 16.0         # such a run over the shortest one
+LEAST_RESIDENCES = 6.6  # a shorter one does not settle
+LONGEST = 40.0         # such a run over the shortest one
 GROWTH = 4.0           # a run that has not settled is run again longer by so much at most
 MARGIN = 1.1           # of such a run's length, over what the run before it says is needed
 FEWEST = 5             # disks of each species that must have left a poured machine
@@ -197,14 +198,17 @@ class Machine:
 
     def longer(self, rows, seen):
         """How long a run must be that may say more than each one has, over the shortest; infinite where none may: it
-        says all, or it is to be too long by what a run of a quarter of the longest shows."""
+        says all, or it is to be too long by what a run of a quarter of the longest shows.
+        @return that, and how long it is to become at last"""
         if self.kind != "fed":
-            return np.where(seen["open"], 1.0, np.inf)
+            units = np.where(seen["open"], 1.0, np.inf)
+            return units, units
         last, needed = (values.to_numpy() / self.shortest for values in (rows["duration"], MARGIN * seen["needs"]))
         units = np.minimum(np.fmax(2.0 * last, np.minimum(needed, GROWTH * last)), LONGEST)
         too_long = (last >= (1.0 - 1e-9) * LONGEST) | (last >= (1.0 - 1e-9) * LONGEST / GROWTH) & (needed > LONGEST)
         units = np.where(seen["why"] == CUT, last, np.where(too_long, np.inf, units))
-        return np.where(seen["open"], units, np.inf)
+        units = np.where(seen["open"], units, np.inf)
+        return units, np.fmax(units, np.minimum(needed, LONGEST))
 
     def _observed_closed(self, rows, seen):
         seen["variance"] = 1.0
@@ -229,7 +233,7 @@ class Machine:
         self._count(self.bins(rows), rows["simulated_time"] - _column(rows, "steady.from").fillna(0.0), seen)
         reason = _column(rows, "steady_reason").fillna("").astype(str)
         why = reason.str.partition(":")[0]
-        seen["needs"] = _column(rows, "steady_needs")
+        seen["needs"] = _column(rows, "steady_needs").astype(float)
         planned = rows["duration"] if "duration" in rows else rows["simulated_time"]
         why[(rows["simulated_time"] < (1.0 - 1e-9) * planned) & (_column(rows, "status") != "cut")] = CHOKED
         seen["why"] = why

@@ -12,7 +12,7 @@ import time
 import numpy as np
 import pandas
 
-from ratchet_sieve.answers.machine import CUT, LONGEST, RESIDENCES
+from ratchet_sieve.answers.machine import CUT, LEAST_RESIDENCES, LONGEST, RESIDENCES
 from ratchet_sieve.answers.surface import Surface
 from ratchet_sieve.arguments import integer
 
@@ -28,7 +28,7 @@ COSTLIEST = 200.0  # events that a simulated second may take, over the median of
 SHAPE = ("base.teeth", "base.tooth", "base.asymmetry", "base.length", "base.phase")  # does not decide what is thrown
 RATES = 20.0      # scale of the logarithm of that: of its surface over the ranges
 RATES_VARIANCE = 0.1  # of what one run says of it
-OPEN_COST = 100.0  # of a run where the machine has not settled, over the median of the first runs
+OPEN_COST = 10.0  # of a run where the machine has not settled, over the upper quartile of the first runs
 LONG_COST = 50.0  # of a run that is longer than the shortest, over the median of the first runs
 SEEDS = 1_000_000  # of the scenes between two seeds of the search; the second half of them is for fresh runs
 MOST_SEED = 10 ** 12
@@ -110,8 +110,8 @@ class Search:
 
     def _longer(self, seen):
         """Machine.longer() of each run; infinite as well where that is too costly."""
-        units, rate = self.machine.longer(self.runs, seen), seen["rate"].to_numpy()
-        fits = units * rate <= OPEN_COST * np.median(rate[:len(self.first())])
+        (units, at_last), rate = self.machine.longer(self.runs, seen), seen["rate"].to_numpy()
+        fits = at_last * rate <= OPEN_COST * np.quantile(rate[:len(self.first())], 0.75)
         return np.where(fits | (seen["why"] == CUT), units, np.inf)
 
     def _run(self, places, durations, seeds, *others):
@@ -235,7 +235,8 @@ class Search:
         """The duration of a run at each place, over the shortest one."""
         if self.machine.kind != "fed":
             return np.ones(len(self.grid))
-        wanted = np.minimum(RESIDENCES * self._residence / self.machine.shortest, LONG_COST * self._usual / self._rate)
+        stay = self._residence / self.machine.shortest
+        wanted = np.clip(LONG_COST * self._usual / self._rate, LEAST_RESIDENCES * stay, RESIDENCES * stay)
         return np.clip(np.maximum(wanted, self._waits), 1.0, LONGEST)
 
     def _challengers(self, units):
@@ -312,7 +313,7 @@ def usual_length(machine, rows):
     """How long a run must be in the middle of some of a fed machine, over the shortest."""
     if machine.kind != "fed" or not len(rows):
         return 1.0
-    units = machine.longer(rows, machine.observed(rows))
+    units = machine.longer(rows, machine.observed(rows))[0]
     return max(float(np.median(np.where(np.isfinite(units), units, rows["duration"] / machine.shortest))), 1.0)
 
 
