@@ -109,17 +109,17 @@ class Answer:
         unit = " m/s" if self.machine.kind == "closed" and self.machine.is_signed else ""
         goal = self.machine.goal
         if self.best is None:
-            lines = [f"not separated: |{goal}| < {at_most(self.bound)}{unit} at 95 % everywhere"
+            what = "not separated" if self.machine.is_signed else "no best setting, for 0 is not excluded"
+            lines = [f"{what}: |{goal}| < {at_most(self.bound)}{unit} at 95 % everywhere"
                      if self.bound < self.within else
-                     f"not separated: {goal} {self.separation}{unit} at the best setting, "
+                     f"{what}: {goal} {self.separation}{unit} at the best setting, "
                      f"below {at_most(self.bound)}{unit} at 95 % everywhere"]
         else:
             at = ", ".join(f"{key} = {_with_unit(key, value)}" for key, value in (self.best or {}).items())
             source = f"95 %, {counted(self.separation.count, 'run')} with fresh seeds" if self.separation.count else \
                 "no interval: of the search's own runs"
             lines = [f"{goal} {self.separation}{unit} ({source})" + self._way(), f"at {at}",
-                     f"as good: {self._region()}; the worst of them may lose "
-                     f"{at_most(self.as_good.may_lose.max())}{unit}"]
+                     f"as good: {self._region()}; {self._worst()}{unit}"]
             lines += self._products() if self.purity else []
         if self.best and self.throughput:
             per = self.throughput
@@ -158,6 +158,12 @@ class Answer:
                              f"number (feed {feed.number[name]:.2g}); recovery {recovery[0]}"
                              + (f" by mass, {recovery[1]} by number" if recovery[1] != recovery[0] else ""))
         return lines
+
+    def _worst(self) -> str:
+        """What the worst of those that are as good may lose."""
+        most, value = self.as_good.may_lose.max(), abs(self.separation.value)
+        bounded = self.machine.is_signed or self.machine.share_goal
+        return "the worst of them may lose " + (f"all of the {value:.2g}" if bounded and most >= value else at_most(most))
 
     def _region(self) -> str:
         part = len(self.as_good) / max(len(self.map), 1)

@@ -6,21 +6,22 @@ import pandas
 
 from ratchet_sieve import stats
 from ratchet_sieve.answers.answer import Answer, Interval
-from ratchet_sieve.answers.cost import announce, duration, idle_text, whys
+from ratchet_sieve.answers.cost import announce, duration, fills, idle_text, lift_off_text, whys
 from ratchet_sieve.answers.machine import LEAST_WORKING, flow_of
 from ratchet_sieve.answers.intervals import interval_of, products_of
-from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
+from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z, usual_length
 from ratchet_sieve.texts import at_most, counted
 from ratchet_sieve.values import Values
 
 FRESH = 12          # runs of the best setting; then half as many at a time
 MOST_FRESH = 192
-LONG_ENOUGH = 20.0  # mean times in the machine that such a run of a fed machine lasts at least
+LONG_ENOUGH = 12.0  # mean times in the machine that such a run of a fed machine lasts at least
 EXPECTED = 2.4      # half the width of the interval that is aimed at, in standard errors
 MOST_DOUBLINGS = 4  # of the first runs of a fed machine that have not settled
 FEWER_FRESH = (FRESH, 8, 6, 4)  # of them, as the budget has it
 AFFORDABLE = 0.9    # of what is left of the budget: the runs differ in cost
 LEAST_PART = 0.1    # of the shortest run
+MOST_FILLING = 0.1  # of the fresh runs: where more fill up the machine is metastable at best
 AFTER_INTERRUPT, OF_INTERRUPTED = 2.0, 0.1  # for fresh runs after an interrupt: [s], and of the time so far
 INTERRUPTED = "interrupted: the answer so far; the same call with the same results continues"
 EDGE = 0.02         # of a range: nearer to its end than this is at its edge
@@ -33,6 +34,7 @@ def answer_of(search, budget, bar):
     @throws RuntimeError the machine works nowhere. @throws ValueError the budget ends before there is an answer"""
     clocks, notes, fresh, floor = (time.monotonic(), time.process_time()), [], Fresh(), None
     lines, announced = announce(search, budget.seconds, FRESH, search.within / EXPECTED)
+    bar.announced = announced if budget.seconds is None else min(announced, budget.seconds)
     for line in lines:
         bar.say(line)
     notes += idle_text(search)
@@ -90,6 +92,9 @@ class Fresh:
         works = seen["value"].notna()
         if not works.all():
             notes.append(f"of {counted(len(works), 'fresh run')} some are left out: {whys(seen)}")
+        if fills(seen):
+            notes.append("it may not stay as it is: about once in "
+                         f"{duration(self.rows['simulated_time'].sum() / fills(seen))} of work it fills up")
         return self.rows[works] if works.sum() > 1 else None
 
 
@@ -120,6 +125,8 @@ def _first_runs(search, bar):
             search.measure(first[k:k + BATCH], units[k:k + BATCH])
             if search.is_late():
                 break
+            if doublings == 0:  # the others need not begin with runs that are too short
+                units = np.maximum(units, usual_length(search.machine, search.runs))
         doublings += 1
         first, units = search.unsettled() if len(search.runs) else (first, units)
 
@@ -143,7 +150,8 @@ def _fresh_runs(search, bar, fresh, notes):
         rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(runs, length)], ignore_index=True)
         seen = machine.observed(rows) if len(rows) else None
         works = 0 if seen is None else seen["value"].notna().sum()
-        if seen is not None and not search.is_late() and works < max(LEAST_WORKING * len(rows), 2):
+        if seen is not None and not search.is_late() and (works < max(LEAST_WORKING * len(rows), 2) or
+                                                          fills(seen) > max(MOST_FILLING * len(rows), 1)):
             fresh.rows = pandas.DataFrame()
             if seen["open"].any() and not longer:
                 length, longer = 2.0 * length, True
@@ -196,6 +204,7 @@ def _answer(search, fresh, notes, floor, clocks, announced):
     best = separated or not known and not search.nowhere()
     if best:
         notes += _edges(machine, settings)
+        notes += lift_off_text(machine, search.grid[search.best])
     rows, surface = search.runs, _map(search)
     if fresh is not None:  # each of its warnings once
         notes += dict.fromkeys(filter(None, "\n".join(map(str, fresh["warning_text"].dropna())).splitlines()))
