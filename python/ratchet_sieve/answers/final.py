@@ -8,6 +8,7 @@ from ratchet_sieve import stats
 from ratchet_sieve.answers.answer import Answer, Interval
 from ratchet_sieve.answers.cost import announce, duration, idle_text, whys
 from ratchet_sieve.answers.machine import LEAST_WORKING, flow_of
+from ratchet_sieve.answers.depends import PART, Dependence, known_text, screening
 from ratchet_sieve.answers.intervals import interval_of, products_of
 from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
 from ratchet_sieve.texts import at_most, counted
@@ -18,6 +19,7 @@ MOST_FRESH = 192
 LONG_ENOUGH = 20.0  # mean times in the machine that such a run of a fed machine lasts at least
 EXPECTED = 2.4      # half the width of the interval that is aimed at, in standard errors
 MOST_DOUBLINGS = 4  # of the first runs of a fed machine that have not settled
+PER_KEY = 8         # fresh runs for each unknown key, at least
 FEWER_FRESH = (FRESH, 8, 6, 4)  # of them, as the budget has it
 AFFORDABLE = 0.9    # of what is left of the budget: the runs differ in cost
 LEAST_PART = 0.1    # of the shortest run
@@ -49,6 +51,7 @@ def answer_of(search, budget, bar):
         search.assess(best=search.best)  # with the fresh runs as well
         if len(fresh.rows) and not search.is_late():
             floor = _floor(search, fresh.rows)
+            fresh.known = _known(search, fresh.rows)
     except KeyboardInterrupt:
         late = False
         notes.append(INTERRUPTED)
@@ -57,7 +60,9 @@ def answer_of(search, budget, bar):
     if left > search.within and not search.nowhere() and INTERRUPTED not in notes:
         notes.append(f"the {'budget' if late else 'limit of runs'} ended the search: another setting "
                      f"may be better by {at_most(left)}")
-    return _answer(search, fresh.working(search.machine, notes), notes, floor, clocks, announced)
+    answer = _answer(search, fresh.working(search.machine, notes), notes, floor, clocks, announced)
+    answer.known = fresh.known
+    return answer
 
 
 def _interrupted(search, bar, fresh, begin):
@@ -81,6 +86,7 @@ class Fresh:
 
     def __init__(self):
         self.rows = pandas.DataFrame()
+        self.known = None  # what it takes as known, in a line
 
     def working(self, machine, notes):
         """@return those in which the machine works; None: there are none"""
@@ -134,7 +140,8 @@ def _fresh_runs(search, bar, fresh, notes):
     """Runs of the best setting until the interval of their mean is as narrow as `within`.
     @param fresh gets the runs. @return False where the machine does not work there, as a rule"""
     machine = search.machine
-    runs, length = FRESH, search.final_duration(FRESH, search.within / EXPECTED, LONG_ENOUGH)
+    runs = max(FRESH, PER_KEY * len(machine.unknown.keys)) if machine.unknown else FRESH
+    length = search.final_duration(runs, search.within / EXPECTED, LONG_ENOUGH)
     if search.deadline is not None:
         runs, length = _affordable(search, length)
     fresh.rows, longer = pandas.DataFrame(), False
@@ -204,7 +211,33 @@ def _answer(search, fresh, notes, floor, clocks, announced):
     return Answer(machine=machine, best=settings if best else None, separation=found, separated=separated,
                   bound=search.bound, within=search.within, as_good=_as_good(search, surface, best), map=surface,
                   runs=rows, seen=machine.observed(rows), cost=cost, floor=floor, warnings=notes,
-                  **products_of(machine, fresh))
+                  **products_of(machine, fresh), **_depends_on(machine, fresh))
+
+
+def _depends_on(machine, fresh):
+    """How much of what is unknown the fresh runs tell."""
+    if machine.unknown is None or fresh is None:
+        return {}
+    found = Dependence(machine.unknown, fresh[machine.unknown.keys].to_numpy(float),
+                       machine.observed(fresh)["value"].to_numpy())
+    return {"depends_on": found.table, "spread": found.spread, "grains": found}
+
+
+def _known(search, fresh):
+    """The line that says which coefficients are taken as known, and on which two it depends most. None: it is not so,
+    or its runs would cost more than they may."""
+    machine = search.machine
+    unknown = screening(machine.scene) if machine.unknown is None else None
+    works = machine.observed(fresh)["value"].dropna()
+    if unknown is None or search.nowhere() or len(works) < 3:
+        return None
+    mean = fresh["simulated_time"].mean()
+    cost = PART * search.runs["events"].sum() / (fresh["events"].sum() / fresh["simulated_time"].sum())
+    length = min(mean, cost / len(unknown.table))
+    if length < (machine.shortest if machine.kind == "fed" else mean) * (1.0 - 1e-9):
+        return None
+    values = search.screened(unknown, length)
+    return known_text(unknown, values, float(works.var()) * mean / length) if len(values) == len(unknown.table) else None
 
 
 def _floor(search, fresh):
