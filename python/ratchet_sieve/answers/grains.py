@@ -10,6 +10,7 @@ import numpy as np
 import pandas
 
 from ratchet_sieve.answers.answer import Interval
+from ratchet_sieve.answers.proposal import text_of
 from ratchet_sieve.answers.unknown import Unknown
 from ratchet_sieve.texts import counted
 from ratchet_sieve.values import Values
@@ -83,9 +84,7 @@ class Grains:
         lines += self._together() if self.agrees else []
         lines.append(self._agreement())
         if self.next_measurement:
-            best = min(self.next_measurement.errors.items(), key=lambda item: item[1])
-            at = ", ".join(f"{key} = {value:g}" for key, value in self.next_measurement.setting.items())
-            lines.append(f"measure next: {at}: the error of {best[0]} falls to {100.0 * best[1]:.0f} %")
+            lines.append(text_of(self.next_measurement))
         lines.append(f"cost: {counted(self.cost.runs, 'run')}, {self.cost.simulated:.4g} s simulated, "
                      f"{self.cost.processor:.3g} s of processor time")
         return "\n".join(lines)

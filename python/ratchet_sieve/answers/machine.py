@@ -51,7 +51,7 @@ class Machine:
         self.keys = list(mapping("over", over, '{"base.inclination": (0.0, 0.35)}'))
         if not self.keys:
             raise ValueError('over: must name a range, such as {"base.inclination": (0.0, 0.35)}')
-        ranges = [_range(key, over[key]) for key in self.keys]
+        ranges = [range_of(key, over[key]) for key in self.keys]
         self._require_numbers()
         for key in self.unknown.keys if self.unknown else ():
             if key in self.keys:
@@ -290,7 +290,7 @@ def _column(rows, name):
     return rows[name] if name in rows else pandas.Series(np.nan, index=rows.index)
 
 
-def _range(key, ends):
+def range_of(key, ends):
     """@return (from, to). Raises ValueError."""
     try:
         low, high = ends

@@ -13,7 +13,9 @@ from ratchet_sieve.errors import SceneError
 from ratchet_sieve.tables import Refusal, column_of, read_csv, seed_of
 from ratchet_sieve.values import unit_of
 
+PLACES = ("left", "right", "on_base")
 STDERR = ".stderr"          # ending of a column with the standard error of another one
+OBSERVED = ("height_profile", "mass_flow", "residence_times")
 VELOCITY = "mean_vx"        # whose standard error is a column of results files
 EXAMPLE = '[{"base.inclination": 0.1, "left.A": 310, "right.A": 480, "on_base.A": 12}]'
 
@@ -48,15 +50,15 @@ class Number:
     def of(self, rows: pandas.DataFrame) -> tuple[np.ndarray, np.ndarray]:
         """What runs say of it. @return values, NaN where undefined, and variances, of shares alone, else 1"""
         if not self.is_share:
-            return rows[self.name].to_numpy(float), np.ones(len(rows))
+            values = rows[self.name] if self.name in rows else np.full(len(rows), np.nan)
+            return np.asarray(values, dtype=float), np.ones(len(rows))
         _, place, species = self.name.split(".", 2)
         left, right, count = (rows[f"{name}.{species}"].to_numpy(float) for name in ("left", "right", "count"))
         return _share(left, left + right) if place == "left" else _share(count - left - right, count)
 
 
 class Measured:
-    """@ivar settings of each row: keys of the scene @ivar numbers all that was measured @ivar columns of results that
-    the runs need beside those of counts"""
+    """@ivar settings of each row: keys of the scene @ivar numbers all that was measured"""
 
     def __init__(self, scene: Any, measured: Any, unknown: list[str]):
         """@param measured path of a CSV file or of a bag, a list of bags or of mappings, or a DataFrame
@@ -75,6 +77,11 @@ class Measured:
             self.settings.append(keys)
             self.numbers += _numbers(k, name, {key: row[key] for key in row if key not in keys}, scene.species)
 
+    @property
+    def observed(self) -> list[str]:
+        """What a scene must observe that the runs have these numbers."""
+        return sorted({number.name.partition(".")[0] for number in self.numbers} & set(OBSERVED))
+
     def lines(self) -> list[str]:
         """What was understood."""
         names = dict.fromkeys(number.text() for number in self.numbers)
@@ -91,7 +98,7 @@ def _share(part: Any, whole: Any) -> tuple[Any, Any]:
 
 
 def _is_result(key: str) -> bool:
-    return key.split(".")[0] in ("left", "right", "on_base") or key.endswith(STDERR) or \
+    return key.split(".")[0] in PLACES or key.endswith(STDERR) or \
         key not in ("seed", "count") and unit_of(key) is not None
 
 
@@ -109,7 +116,7 @@ def _numbers(row: int, name: str, cells: dict, species: list[str]) -> list[Numbe
     """@param cells of results, each a number. Raises ValueError."""
     found = []
     for kind in species:
-        counts = {place: cells.pop(f"{place}.{kind}", None) for place in ("left", "right", "on_base")}
+        counts = {place: cells.pop(f"{place}.{kind}", None) for place in PLACES}
         given = {place: count for place, count in counts.items() if count is not None}
         for place, count in given.items():
             if not isinstance(count, (int, float, np.number)) or count < 0 or count != int(count):
@@ -128,6 +135,8 @@ def _numbers(row: int, name: str, cells: dict, species: list[str]) -> list[Numbe
             found.append(Number(row, f"share.{place}.{kind}", *map(float, _share(part, whole)), float(whole)))
     errors = {key: cells.pop(key) for key in list(cells) if key.endswith(STDERR) or key.startswith(VELOCITY + "_stderr")}
     for key, value in cells.items():
+        if key.split(".")[0] in PLACES:
+            raise ValueError(f"{name}: {key}: there is no such species; there are {', '.join(species)}")
         error = errors.get(key + STDERR, errors.get(key.replace(VELOCITY, VELOCITY + "_stderr", 1)))
         for cell, what in ((value, key), (error, f"standard error of {key}")):
             if cell is not None and (not isinstance(cell, (int, float, np.number)) or not np.isfinite(cell)):
