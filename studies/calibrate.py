@@ -14,7 +14,7 @@ import warnings
 import numpy as np
 
 import ratchet_sieve as rs
-from ratchet_sieve import documents, origin
+from ratchet_sieve import documents, origin, stats
 from ratchet_sieve.answers.unknown import Prior
 from ratchet_sieve.texts import table
 
@@ -28,8 +28,10 @@ ONE = {f"species.0.{name}": ends for name, ends in RANGES.items()}
 TWO = {**ONE, f"species.1.{E}": RANGES[E], f"species.1.{MU}": RANGES[MU]}
 FRESH = 800_000_000  # first seed of measurements, of which no calibration knows
 WRONG = 1.1          # of the amplitude
-OVER = {THETA: (0.0, 0.35)}  # of the search with what was calibrated
-COLUMNS = {"truths": "truths", "agree": "agree", "held": "held", "e": "e ±", "median": "median [s]", "most": "most [s]"}
+SEPARATED = "two"    # the problem whose grains are then separated
+OVER, WITHIN, OWN = {THETA: (0.0, 0.35)}, 0.04, {THETA: 0.1}
+COLUMNS = {"truths": "feeders", "agree": "agree", "held": "intervals that hold, of each", "e": "e ±", "cost": "cost [s]",
+           "separated": "s within its spread"}
 
 
 def feeder(*species):
@@ -60,40 +62,68 @@ def problems():
             "wrong": (one, ONE, {AMPLITUDE: WRONG * 0.002}, "three; the amplitude is 10 % wrong")}
 
 
-def measure(name, truths, results):
-    """@param results file that keeps the first runs, which are the same for all @return the figures as texts"""
+def is_within_spread(scene, grains, truth):
+    """Whether the separation of the true grains, at the place that is best for those that they may be, is in the stated
+    spread."""
+    answer = rs.separate(grains, OVER, within=WITHIN, threads=1, progress=False)
+    rows = rs.sweep(scene.replace({**truth, "duration": 600.0}), cases=[answer.best or OWN], seeds=(FRESH, 6),
+                    progress=False)
+    true = stats.mean_of(rows["steady.separation.value"].dropna())
+    value, half = answer.separation.value, answer.separation.half_width
+    low, high = answer.spread or (value - half, value + half)
+    print("   s", answer.best, f"{low:.3f} to {high:.3f}", true.text(), f"{answer.cost.processor:.0f} s", flush=True)
+    return low - true.half_width() <= true.value <= high + true.half_width()
+
+
+def measure(name, feeders, results):
+    """@param results file that keeps the first runs, which are the same for all but the first feeder, whose calibration
+    tells the cost @return the figures as texts"""
     scene, unknown, hidden, _ = problems()[name]
-    drawn = Prior(scene, unknown).values(np.random.default_rng(1).random((truths, len(unknown))))
-    held, half_widths, costs, agree = {key: 0 for key in unknown}, [], [], 0
+    drawn = Prior(scene, unknown).values(np.random.default_rng(1).random((feeders, len(unknown))))
+    held, half_widths, agree, within = dict.fromkeys(unknown, 0), [], 0, 0
     for k, values in enumerate(drawn):
         truth = dict(zip(unknown, map(float, values)))
         grains = rs.calibrate(scene, unknown, measured(scene.replace({**truth, **hidden}), FRESH + 100 * k), threads=1,
                               results=results if k else None, progress=False)
+        cost = cost if k else grains.cost.processor
         agree += grains.agrees
         print(name, k, f"chi² {grains.chi_squared:.1f}", f"{grains.cost.processor:.1f} s", grains.cost.runs, flush=True)
-        if not k:
-            costs.append(grains.cost.processor)
         for key, value in truth.items() if grains.agrees else ():
             found = grains[key]
             held[key] += abs(found.value - value) <= found.half_width
-            half_widths += [found.half_width] if key == f"species.0.{E}" else []
+            half_widths += [found.half_width] if key.endswith(f".{E}") else []
             print("  ", key, f"{value:.3f}", found, abs(found.value - value) <= found.half_width, flush=True)
-    return {"truths": f"{truths}", "agree": f"{agree} of {truths}", "e": f"{statistics.median(half_widths or [0]):.3f}",
-            "held": ", ".join(map(str, held.values())), "median": f"{statistics.median(costs):.3g}"}
+        within += name == SEPARATED and grains.agrees and is_within_spread(scene, grains, truth)
+    return {"truths": f"{feeders}", "agree": f"{agree}", "cost": f"{cost:.2g}",
+            "e": f"{statistics.median(half_widths):.3f}" if half_widths else "—",
+            "held": "—" if hidden else ", ".join(map(str, held.values())),
+            "separated": f"{within}" if name == SEPARATED else "—"}
+
+
+def lines_of(path):
+    """The table's lines, of all problems that were measured."""
+    figures = json.loads((path.parent / "data" / f"{path.stem}.json").read_text(encoding="utf-8"))
+    return [[words, *(figures[f"{name}.{key}"] for key in COLUMNS)] for name, (_, _, _, words) in problems().items()
+            if f"{name}.truths" in figures]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--truths", type=int, default=20, metavar="N", help="of each problem (default: 20)")
+    parser.add_argument("--feeders", type=int, default=20, metavar="N", help="of each problem (default: 20)")
     parser.add_argument("--only", nargs="+", metavar="PROBLEM", choices=problems(),
                         help="measure these alone; the others are kept: " + ", ".join(problems()))
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs", metavar="DIR",
                         help="directory with calibrate.md (default: docs)")
     options = parser.parse_args()
     warnings.simplefilter("ignore", rs.SieveWarning)
+    path = options.out / "calibrate.md"
+    documents.require_place(parser, path, MARK)
+    about = origin.describe_physics()
     for name in options.only or problems():
         with tempfile.TemporaryDirectory() as folder:
-            print(measure(name, options.truths, pathlib.Path(folder) / "first.db"))
+            found = measure(name, options.feeders, pathlib.Path(folder) / "first.db")
+        documents.quote(path, name, found, about)
+    documents.put(path, MARK, table(["unknown", *COLUMNS.values()], lines_of(path)) + f"\n\n{origin.text(about)}.")
 
 
 if __name__ == "__main__":
