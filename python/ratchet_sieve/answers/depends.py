@@ -32,9 +32,7 @@ class Dependence:
         if count < ENOUGH * (keys + 1):
             return
         centre, scale = unknown.table.mean(axis=0), unknown.table.std(axis=0)
-        design = np.column_stack([np.ones(count), (draws - centre) / scale])
-        inverse = np.linalg.pinv(design.T @ design)
-        slopes = inverse @ design.T @ values
+        design, inverse, slopes = _fitted((draws - centre) / scale, values)
         freedom = count - keys - 1
         residual = float(((values - design @ slopes) ** 2).sum()) / freedom
         errors = np.sqrt(residual * np.diag(inverse))[1:]
@@ -43,8 +41,7 @@ class Dependence:
         covariance = np.cov(grains.T, ddof=0).reshape(keys, keys)
         noise = float(np.trace(covariance @ inverse[1:, 1:])) * residual  # what errors of the slopes add
         variance = float(slopes[1:] @ covariance @ slopes[1:])
-        test = (variance / max(noise, 1e-300))
-        if special.fdtrc(keys, freedom, test) > SURE:
+        if special.fdtrc(keys, freedom, variance / max(noise, 1e-300)) > SURE:
             return
         shrink = np.sqrt(max(1.0 - noise / variance, 0.0))
         predicted = slopes[0] + shrink * grains @ slopes[1:]
@@ -64,6 +61,13 @@ class Dependence:
         return [f"{low} to {high}{unit} for 95 % of the grains that it may be",
                 "it depends on: " + ", ".join(f"{row.key} {100.0 * row.share:.0f} %" for row in named.itertuples())
                 + f"{rest} (linear; of all runs it explains R² = {self.explained:.2f})"]
+
+
+def _fitted(draws: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """@return the design of a linear regression with a mean, the inverse of its normal matrix, and the slopes"""
+    design = np.column_stack([np.ones(len(draws)), draws])
+    inverse = np.linalg.pinv(design.T @ design)
+    return design, inverse, inverse @ design.T @ values
 
 
 def _rounded(value: float, width: float) -> str:
@@ -97,9 +101,8 @@ def known_text(unknown: Unknown, values: np.ndarray, variance: float) -> str:
     names = "taken as known: restitution, friction and tangential_restitution of all species"
     if defined.sum() <= len(unknown.keys):
         return f"{names}; too few runs tell on which it depends"
-    design = np.column_stack([np.ones(defined.sum()), signs[defined]])
-    inverse = np.linalg.pinv(design.T @ design)
-    effects = (inverse @ design.T @ values[defined])[1:]
+    _, inverse, effects = _fitted(signs[defined], values[defined])
+    effects = effects[1:]
     errors = np.sqrt(variance * np.diag(inverse))[1:]
     order = [k for k in np.argsort(-np.abs(effects))[:2] if abs(effects[k]) > SIGNIFICANT * errors[k]]
     if not order:

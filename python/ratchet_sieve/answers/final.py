@@ -33,7 +33,7 @@ def answer_of(search, budget, bar):
     """Searches, measures the best setting with fresh seeds, and puts the answer together.
     @param budget a Budget. @param bar a Progress
     @throws RuntimeError the machine works nowhere. @throws ValueError the budget ends before there is an answer"""
-    clocks, notes, fresh, floor = (time.monotonic(), time.process_time()), [], Fresh(), None
+    clocks, notes, fresh, floor, known = (time.monotonic(), time.process_time()), [], Fresh(), None, None
     lines, announced = announce(search, budget.seconds, FRESH, search.within / EXPECTED)
     for line in lines:
         bar.say(line)
@@ -51,7 +51,7 @@ def answer_of(search, budget, bar):
         search.assess(best=search.best)  # with the fresh runs as well
         if len(fresh.rows) and not search.is_late():
             floor = _floor(search, fresh.rows)
-            fresh.known = _known(search, fresh.rows)
+            known = _known(search, fresh.rows)
     except KeyboardInterrupt:
         late = False
         notes.append(INTERRUPTED)
@@ -61,7 +61,7 @@ def answer_of(search, budget, bar):
         notes.append(f"the {'budget' if late else 'limit of runs'} ended the search: another setting "
                      f"may be better by {at_most(left)}")
     answer = _answer(search, fresh.working(search.machine, notes), notes, floor, clocks, announced)
-    answer.known = fresh.known
+    answer.known = known
     return answer
 
 
@@ -86,7 +86,6 @@ class Fresh:
 
     def __init__(self):
         self.rows = pandas.DataFrame()
-        self.known = None  # what it takes as known, in a line
 
     def working(self, machine, notes):
         """@return those in which the machine works; None: there are none"""
@@ -227,17 +226,22 @@ def _known(search, fresh):
     """The line that says which coefficients are taken as known, and on which two it depends most. None: it is not so,
     or its runs would cost more than they may."""
     machine = search.machine
-    unknown = screening(machine.scene) if machine.unknown is None else None
-    works = machine.observed(fresh)["value"].dropna()
-    if unknown is None or search.nowhere() or len(works) < 3:
+    unknown = screening(machine.scene) if machine.unknown is None and not search.nowhere() else None
+    if unknown is None:
         return None
     mean = fresh["simulated_time"].mean()
-    cost = PART * search.runs["events"].sum() / (fresh["events"].sum() / fresh["simulated_time"].sum())
-    length = min(mean, cost / len(unknown.table))
-    if length < (machine.shortest if machine.kind == "fed" else mean) * (1.0 - 1e-9):
+    length = PART * search.runs["events"].sum() * fresh["simulated_time"].sum() / fresh["events"].sum() \
+        / len(unknown.table)
+    if machine.kind == "fed":
+        length = min(length, mean)
+    if length < (machine.shortest if machine.kind == "fed" else mean):
         return None
-    values = search.screened(unknown, length)
-    return known_text(unknown, values, float(works.var()) * mean / length) if len(values) == len(unknown.table) else None
+    rows = search.screened(unknown, length)
+    # Over a whole run, which short ones have as well.
+    values, known = (machine.observed(of)["value"] if machine.goal != "separation" else of["separation"]
+                     for of in (rows, fresh))
+    return known_text(unknown, values.to_numpy(), float(known.var()) * mean / length) \
+        if len(rows) == len(unknown.table) else None
 
 
 def _floor(search, fresh):

@@ -146,11 +146,10 @@ class Search:
         return self._run(self.grid[self.best][None], [duration], (self.seed + SEEDS // 2, runs), (), changes)
 
     def screened(self, unknown, duration):
-        """The best place with each row of what is taken as unknown. @return the value of each, NaN where undefined"""
+        """Runs of the best place, one with each row of what is taken as unknown. @return their rows"""
         count = len(unknown.table)
         first = -(-(self.seed + 3 * SEEDS // 4) // count) * count  # a multiple: each row once
-        rows = self._run(self.grid[self.best][None], [duration], (first, count), (), None, unknown)
-        return self.machine.observed(rows)["value"].to_numpy() if len(rows) else np.array([])
+        return self._run(self.grid[self.best][None], [duration], (first, count), (), None, unknown)
 
     def assess(self, best=None):
         """Fits the surface. @param best the place that others are compared with; None: the highest
