@@ -2,12 +2,14 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import os
 from typing import Any
 
 import numpy as np
 import pandas
 
+from ratchet_sieve.arguments import number
 from ratchet_sieve.bags import read_bins
 from ratchet_sieve.errors import SceneError
 from ratchet_sieve.tables import Refusal, column_of, read_csv, seed_of
@@ -16,7 +18,7 @@ from ratchet_sieve.values import unit_of
 PLACES = ("left", "right", "on_base")
 STDERR = ".stderr"          # ending of a column with the standard error of another one
 OBSERVED = ("height_profile", "mass_flow", "residence_times")
-VELOCITY = "mean_vx"        # whose standard error is a column of results files
+VELOCITY, VELOCITY_STDERR = "mean_vx.", "mean_vx_stderr."  # of which both are columns of results
 EXAMPLE = '[{"base.inclination": 0.1, "left.A": 310, "right.A": 480, "on_base.A": 12}]'
 
 
@@ -80,12 +82,12 @@ class Measured:
     @property
     def observed(self) -> list[str]:
         """What a scene must observe that the runs have these numbers."""
-        return sorted({number.name.partition(".")[0] for number in self.numbers} & set(OBSERVED))
+        return sorted({each.name.partition(".")[0] for each in self.numbers} & set(OBSERVED))
 
     def lines(self) -> list[str]:
         """What was understood."""
-        names = dict.fromkeys(number.text() for number in self.numbers)
-        grains = sum(number.grains for number in self.numbers if number.name.startswith("share.left"))
+        names = dict.fromkeys(each.text() for each in self.numbers)
+        grains = sum(each.grains for each in self.numbers if each.name.startswith("share.left"))
         return [f"measured at {len(self.settings)} settings, {len(self.numbers)} numbers"
                 + (f" of {grains:.0f} grains" if grains else "") + f": {'; '.join(names)}"]
 
@@ -97,9 +99,12 @@ def _share(part: Any, whole: Any) -> tuple[Any, Any]:
         return part / whole, smoothed * (1.0 - smoothed) / whole
 
 
+def _is_error(key: str) -> bool:
+    return key.endswith(STDERR) or key.startswith(VELOCITY_STDERR)
+
+
 def _is_result(key: str) -> bool:
-    return key.split(".")[0] in PLACES or key.endswith(STDERR) or \
-        key not in ("seed", "count") and unit_of(key) is not None
+    return key.split(".")[0] in PLACES or _is_error(key) or key != "seed" and unit_of(key) is not None
 
 
 def _require(scene: Any, name: str, keys: dict) -> None:
@@ -113,35 +118,28 @@ def _require(scene: Any, name: str, keys: dict) -> None:
 
 
 def _numbers(row: int, name: str, cells: dict, species: list[str]) -> list[Number]:
-    """@param cells of results, each a number. Raises ValueError."""
+    """@param cells of results. Raises ValueError."""
+    for key, value in cells.items():
+        is_count = key.split(".")[0] in PLACES
+        number(f"{name}: {key}", value, 0.0 if is_count or _is_error(key) else -math.inf)
+        if is_count and key.partition(".")[2] not in species:
+            raise ValueError(f"{name}: {key}: there is no such species; there are {', '.join(species)}")
     found = []
     for kind in species:
-        counts = {place: cells.pop(f"{place}.{kind}", None) for place in PLACES}
-        given = {place: count for place, count in counts.items() if count is not None}
-        for place, count in given.items():
-            if not isinstance(count, (int, float, np.number)) or count < 0 or count != int(count):
-                raise ValueError(f"{name}: {place}.{kind} = {count!r}: must be a number of grains")
-        if not given:
+        left, right, deck = (cells.get(f"{place}.{kind}") for place in PLACES)
+        if left is None and right is None and deck is None:
             continue
-        if not {"left", "right"} <= set(given):
-            raise ValueError(f"{name}: {', '.join(given)} of {kind} alone: left.{kind} and right.{kind} must be given")
-        out = given["left"] + given["right"]
-        parts = [("left", given["left"], out)]
-        if "on_base" in given:
-            parts.append(("on_base", given["on_base"], out + given["on_base"]))
+        if left is None or right is None:
+            raise ValueError(f"{name}: left.{kind} and right.{kind} must be given, both")
+        parts = [("left", left, left + right)] + ([] if deck is None else [("on_base", deck, left + right + deck)])
         for place, part, whole in parts:
-            if whole <= 0:
+            if whole == 0:
                 raise ValueError(f"{name}: no {kind} was counted")
-            found.append(Number(row, f"share.{place}.{kind}", *map(float, _share(part, whole)), float(whole)))
-    errors = {key: cells.pop(key) for key in list(cells) if key.endswith(STDERR) or key.startswith(VELOCITY + "_stderr")}
+            found.append(Number(row, f"share.{place}.{kind}", *map(float, _share(part, whole)), whole))
     for key, value in cells.items():
-        if key.split(".")[0] in PLACES:
-            raise ValueError(f"{name}: {key}: there is no such species; there are {', '.join(species)}")
-        error = errors.get(key + STDERR, errors.get(key.replace(VELOCITY, VELOCITY + "_stderr", 1)))
-        for cell, what in ((value, key), (error, f"standard error of {key}")):
-            if cell is not None and (not isinstance(cell, (int, float, np.number)) or not np.isfinite(cell)):
-                raise ValueError(f"{name}: {what} = {cell!r}: must be a number")
-        found.append(Number(row, key, float(value), None if error is None else float(error) ** 2))
+        if key.split(".")[0] not in PLACES and not _is_error(key):
+            error = cells.get(key + STDERR, cells.get(key.replace(VELOCITY, VELOCITY_STDERR, 1)) if VELOCITY in key else None)
+            found.append(Number(row, key, float(value), None if error is None else error ** 2))
     if not found:
         raise ValueError(f"{name}: nothing was measured: give counts, such as left.{species[0]}, right.{species[0]}")
     return found

@@ -1,5 +1,6 @@
 """What a calibration found: pairs of coefficients, and measured beside computed."""
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 
 from ratchet_sieve.plots.means import label
 from ratchet_sieve.plots.style import COLOURS, GREY, drawing
@@ -30,6 +31,7 @@ def _pair(axes, grains, row, column):
     x, y = grains.draws[:, column], grains.draws[:, row]
     before = grains.prior.table
     axes.set_xlim(before[:, column].min(), before[:, column].max())
+    axes.xaxis.set_major_locator(MaxNLocator(2))
     if row == column:
         axes.hist(x, BINS, range=axes.get_xlim(), color=COLOURS[0], alpha=0.6)
         axes.set_yticks([])
@@ -62,7 +64,7 @@ def _numbers(axes, grains):
                   ecolor=COLOURS[1], elinewidth=4, alpha=0.6, label="computed, 95 %")
     axes.errorbar(away, places, xerr=1.96, fmt="o", color=COLOURS[0], markersize=4, capsize=2, label="measured, 95 %")
     axes.set_yticks(places, [f"{row.number}, row {row.row}" for row in table.itertuples()])
-    axes.set_xlabel("measured less computed, in standard errors")
+    axes.set_xlabel("(measured − computed) / error")
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncol=2, borderaxespad=0.2)
     if not grains.agrees:
         axes.set_title("do not agree", loc="left")
