@@ -175,6 +175,18 @@ TEST_F(SweepRunTest, CountsACaseThatIsListedTwiceOnce)
   EXPECT_EQ(outcome.counts.done, 1u);
 }
 
+TEST_F(SweepRunTest, RunsEachCaseWithASeedOfItsOwn)
+{
+  const auto rows = [this](const std::string& cases)
+  {
+    runSweep(load(cases), results_, {});
+    return text("SELECT group_concat(seed || ' ' || run_hash, ', ') FROM (SELECT * FROM cases ORDER BY seed)");
+  };
+  const std::string listed = rows("cases: [{seed: 3}, {seed: 5}]\n");
+  EXPECT_EQ(listed.rfind("3 ", 0), 0u) << listed;
+  EXPECT_EQ(rows("seed: [3, 5]\n"), listed);
+}
+
 TEST_F(SweepRunTest, MakesAFailureARowAndGoesOn)
 {
   const Sweep sweep = load(std::string("cases: [{gravity: 9}, ") + STALLING_CASE + ", {gravity: 8}]\n");

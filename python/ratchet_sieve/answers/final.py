@@ -8,6 +8,7 @@ from ratchet_sieve import stats
 from ratchet_sieve.answers.answer import Answer, Interval
 from ratchet_sieve.answers.cost import announce, duration, fills, idle_text, lift_off_text, whys
 from ratchet_sieve.answers.machine import LEAST_WORKING, flow_of
+from ratchet_sieve.answers.depends import PART, Dependence, known_text, screening
 from ratchet_sieve.answers.intervals import interval_of, products_of
 from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z, usual_length
 from ratchet_sieve.texts import at_most, counted
@@ -18,6 +19,7 @@ MOST_FRESH = 192
 LONG_ENOUGH = 12.0  # mean times in the machine that such a run of a fed machine lasts at least
 EXPECTED = 2.4      # half the width of the interval that is aimed at, in standard errors
 MOST_DOUBLINGS = 4  # of the first runs of a fed machine that have not settled
+PER_KEY = 8         # fresh runs for each unknown key, at least
 FEWER_FRESH = (FRESH, 8, 6, 4)  # of them, as the budget has it
 AFFORDABLE = 0.9    # of what is left of the budget: the runs differ in cost
 LEAST_PART = 0.1    # of the shortest run
@@ -32,7 +34,7 @@ def answer_of(search, budget, bar):
     """Searches, measures the best setting with fresh seeds, and puts the answer together.
     @param budget a Budget. @param bar a Progress
     @throws RuntimeError the machine works nowhere. @throws ValueError the budget ends before there is an answer"""
-    clocks, notes, fresh, floor = (time.monotonic(), time.process_time()), [], Fresh(), None
+    clocks, notes, fresh, floor, known = (time.monotonic(), time.process_time()), [], Fresh(), None, None
     lines, announced = announce(search, budget.seconds, FRESH, search.within / EXPECTED)
     bar.announced = announced if budget.seconds is None else min(announced, budget.seconds)
     for line in lines:
@@ -51,6 +53,7 @@ def answer_of(search, budget, bar):
         search.assess(best=search.best)  # with the fresh runs as well
         if len(fresh.rows) and not search.is_late():
             floor = _floor(search, fresh.rows)
+            known = _known(search, fresh.rows)
     except KeyboardInterrupt:
         late = False
         notes.append(INTERRUPTED)
@@ -59,7 +62,9 @@ def answer_of(search, budget, bar):
     if left > search.within and not search.nowhere() and INTERRUPTED not in notes:
         notes.append(f"the {'budget' if late else 'limit of runs'} ended the search: another setting "
                      f"may be better by {at_most(left)}")
-    return _answer(search, fresh.working(search.machine, notes), notes, floor, clocks, announced)
+    answer = _answer(search, fresh.working(search.machine, notes), notes, floor, clocks, announced)
+    answer.known = known
+    return answer
 
 
 def _interrupted(search, bar, fresh, begin):
@@ -141,7 +146,8 @@ def _fresh_runs(search, bar, fresh, notes):
     """Runs of the best setting until the interval of their mean is as narrow as `within`.
     @param fresh gets the runs. @return False where the machine does not work there, as a rule"""
     machine = search.machine
-    runs, length = FRESH, search.final_duration(FRESH, search.within / EXPECTED, LONG_ENOUGH)
+    runs = max(FRESH, PER_KEY * len(machine.unknown.keys)) if machine.unknown else FRESH
+    length = search.final_duration(runs, search.within / EXPECTED, LONG_ENOUGH)
     if search.deadline is not None:
         runs, length = _affordable(search, length)
     fresh.rows, longer = pandas.DataFrame(), False
@@ -213,7 +219,38 @@ def _answer(search, fresh, notes, floor, clocks, announced):
     return Answer(machine=machine, best=settings if best else None, separation=found, separated=separated,
                   bound=search.bound, within=search.within, as_good=_as_good(search, surface, best), map=surface,
                   runs=rows, seen=machine.observed(rows), cost=cost, floor=floor, warnings=notes,
-                  **products_of(machine, fresh))
+                  **products_of(machine, fresh), **_depends_on(machine, fresh))
+
+
+def _depends_on(machine, fresh):
+    """How much of what is unknown the fresh runs tell."""
+    if machine.unknown is None or fresh is None:
+        return {}
+    found = Dependence(machine.unknown, fresh[machine.unknown.keys].to_numpy(float),
+                       machine.observed(fresh)["value"].to_numpy())
+    return {"depends_on": found.table, "spread": found.spread, "grains": found}
+
+
+def _known(search, fresh):
+    """The line that says which coefficients are taken as known, and on which two it depends most. None: it is not so,
+    or its runs would cost more than they may."""
+    machine = search.machine
+    unknown = screening(machine.scene) if machine.unknown is None and not search.nowhere() else None
+    if unknown is None:
+        return None
+    mean = fresh["simulated_time"].mean()
+    length = PART * search.runs["events"].sum() * fresh["simulated_time"].sum() / fresh["events"].sum() \
+        / len(unknown.table)
+    if machine.kind == "fed":
+        length = min(length, mean)
+    if length < (machine.shortest if machine.kind == "fed" else mean):
+        return None
+    rows = search.screened(unknown, length)
+    # Over a whole run, which short ones have as well.
+    values, known = (machine.observed(of)["value"] if machine.goal != "separation" else of["separation"]
+                     for of in (rows, fresh))
+    return known_text(unknown, values.to_numpy(), float(known.var()) * mean / length) \
+        if len(rows) == len(unknown.table) else None
 
 
 def _floor(search, fresh):

@@ -6,6 +6,7 @@ import numpy as np
 import pandas
 
 from ratchet_sieve import sweeps
+from ratchet_sieve.answers.unknown import prior_of
 from ratchet_sieve.arguments import mapping, number, path_of
 from ratchet_sieve.errors import SceneError, SieveWarning
 from ratchet_sieve.goals import LEFT, LEFT_MASS, RIGHT, RIGHT_MASS, Goal
@@ -42,14 +43,21 @@ class Machine:
     one is judged after its duration, and so is a closed one.
     """
 
-    def __init__(self, scene, over, goal=None):
-        """Raises ValueError, SceneError."""
+    def __init__(self, scene, over, goal=None, unknown=None):
+        """@param unknown of which each run draws its own: as Prior takes it, or an Unknown. Raises ValueError,
+        SceneError."""
         self.scene = scene_of(scene)
+        self.unknown = prior_of(self.scene, unknown)
+        if self.unknown:
+            self.scene = self._changed(self.unknown.middle)
         self.keys = list(mapping("over", over, '{"base.inclination": (0.0, 0.35)}'))
         if not self.keys:
             raise ValueError('over: must name a range, such as {"base.inclination": (0.0, 0.35)}')
-        ranges = [_range(key, over[key]) for key in self.keys]
+        ranges = [range_of(key, over[key]) for key in self.keys]
         self._require_numbers()
+        for key in self.unknown.keys if self.unknown else ():
+            if key in self.keys:
+                raise ValueError(f"over[{key!r}]: is unknown as well")
         if dict(zip(self.keys, ranges)).get("feed.rate", (1.0,))[0] <= 0.0:
             raise ValueError("over['feed.rate']: must begin above 0")
         self.low, self.high = np.array(ranges, dtype=float).T
@@ -162,8 +170,9 @@ class Machine:
         """The base's peak acceleration downwards over gravity: below 1 it throws no disk up."""
         return float(self._changed(self.settings(place))._engine.lift)
 
-    def run(self, places, durations, seeds, observe=(), changes=None, **options):
+    def run(self, places, durations, seeds, observe=(), changes=None, unknown=None, **options):
         """Runs the machine at some places: each for its duration, which only a fed one takes.
+        @param unknown an Unknown in place of the machine's own
         @param seeds (first, count) @param changes of keys of the scene @param options of sweep()
         @return a row for each run, the seeds of a place together; with a budget the index counts them, for some may be
         missing"""
@@ -174,6 +183,9 @@ class Machine:
             ends["observe"] = sorted({*self.scene.values.get("observe", ()), *observe})
         cases = [{**self.settings(place), **({"duration": round(float(duration), 3)} if self.kind == "fed" else {})}
                  for place, duration in zip(places, durations)]
+        if unknown := unknown or self.unknown:
+            own = range(seeds[0], seeds[0] + seeds[1])
+            cases, seeds = [of for k, case in enumerate(cases) for of in unknown.cases_of(case, own, k)], None
         rows = sweeps.sweep(self._changed(ends), cases=cases, seeds=seeds, **{"progress": False, **options})
         return rows[(rows["status"] != "cut") | (rows["simulated_time"] > 0.0)] if len(rows) else rows
 
@@ -294,7 +306,7 @@ def _column(rows, name):
     return rows[name] if name in rows else pandas.Series(np.nan, index=rows.index)
 
 
-def _range(key, ends):
+def range_of(key, ends):
     """@return (from, to). Raises ValueError."""
     try:
         low, high = ends

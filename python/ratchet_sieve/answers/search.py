@@ -13,6 +13,7 @@ import numpy as np
 import pandas
 
 from ratchet_sieve.answers.machine import CUT, LEAST_RESIDENCES, LONGEST, RESIDENCES
+from ratchet_sieve.answers.places import spread
 from ratchet_sieve.answers.surface import Surface
 from ratchet_sieve.arguments import integer
 
@@ -81,9 +82,9 @@ class Search:
                 steps = np.linspace(0, len(self.grid) - 1, count).round().astype(int)
                 self._first = np.array(list(dict.fromkeys(steps[k] for k in _halving(count))))
             else:
-                spread = (self._nearest(place) for place in _spread(ranges, 8 * count, self.seed)
+                places = (self._nearest(place) for place in spread(ranges, 8 * count, self.seed)
                           if not len(self.idle) or _distance(self.grid, place) <= _distance(self.idle, place))
-                self._first = np.array(list(dict.fromkeys(itertools.islice(spread, count))))
+                self._first = np.array(list(dict.fromkeys(itertools.islice(places, count))))
         return self._first
 
     def measure(self, chosen, durations):
@@ -140,6 +141,12 @@ class Search:
         duration = fresh["duration"].iloc[0] if "duration" in fresh else self.machine.shortest
         return self._run(self.grid[self.best][None], [duration], (self.seed + SEEDS // 2, runs), (), changes)
 
+    def screened(self, unknown, duration):
+        """Runs of the best place, one with each row of what is taken as unknown. @return their rows"""
+        count = len(unknown.table)
+        first = -(-(self.seed + 3 * SEEDS // 4) // count) * count  # a multiple: each row once
+        return self._run(self.grid[self.best][None], [duration], (first, count), (), None, unknown)
+
     def assess(self, best=None):
         """Fits the surface. @param best the place that others are compared with; None: the highest
         @return whether the machine works anywhere"""
@@ -175,7 +182,8 @@ class Search:
         if self._surface is None:
             is_share = self.has_errors and self.machine.kind != "closed"
             self._surface = Surface(self.grid.shape[1], 1.0 if is_share else 10.0 * values.std() or 1.0,
-                                    **({} if self.has_errors else {"error_spread": UNKNOWN_ERRORS}))
+                                    **({} if self.has_errors and not self.machine.unknown else
+                                       {"error_spread": UNKNOWN_ERRORS}))
         self._known = places, (1.0 if self.has_errors else values.var()) / total
         self._surface.fit(places, values, self._known[1])
         self.value, variance, half = self._surface.at(self.grid)
@@ -358,14 +366,4 @@ def _grid(ranges):
     if ranges in GRID:
         axes = np.meshgrid(*[np.linspace(0.0, 1.0, GRID[ranges])] * ranges, indexing="ij")
         return np.stack(axes, axis=-1).reshape(-1, ranges)
-    return _spread(ranges, CANDIDATES, 0)
-
-
-def _spread(ranges, count, seed):
-    """Places that fill the ranges evenly: a Kronecker sequence of the generalised golden ratio (Schretter et al., Math.
-    Comput. Simul. 82, 2012), from a random one on."""
-    ratio = 2.0
-    for _ in range(60):
-        ratio = (1.0 + ratio) ** (1.0 / (ranges + 1.0))
-    steps = ratio ** -np.arange(1.0, ranges + 1.0)
-    return (np.random.default_rng(seed).random(ranges) + np.arange(count)[:, None] * steps) % 1.0
+    return spread(ranges, CANDIDATES, 0)
