@@ -193,7 +193,9 @@ struct CommandFrame
 {
   double time = 0.0;
   CommandKind kind = CommandKind::PAUSE;
-  std::vector<double> values;  ///< the setpoint [rad, Hz, m]; for SLEW_RATES the three rates [unit/s]
+  /// The setpoint [rad, Hz, m] and, where a drive gives the base another value, this; for SLEW_RATES the three
+  /// rates [unit/s].
+  std::vector<double> values;
   std::uint32_t species = 0;   ///< of POUR
   std::uint32_t count = 0;     ///< of POUR
 };
