@@ -214,6 +214,11 @@ class SieveVectorEnv(VectorEnv):
         if self.closed:
             raise RuntimeError("the environment is closed")
 
+    def __getstate__(self) -> dict[str, Any]:
+        if self.task.sensors and self._ended is not None:
+            raise TypeError("an environment with sensors can be pickled before its first reset() alone")
+        return self.__dict__
+
     def _observations(self) -> np.ndarray:
         return self.task.observations.of(self._readings)
 
