@@ -114,4 +114,17 @@ double Drives::output(Quantity quantity) const
   return at(quantity, quantity == Quantity::AMPLITUDE ? at(Quantity::FREQUENCY, 0.0) : 0.0);
 }
 
+std::vector<std::string> Drives::faults(Quantity quantity)
+{
+  std::vector<std::string> names = {"none", "stuck"};
+  if (quantity != Quantity::INCLINATION)
+    names.emplace_back("off");
+  return names;
+}
+
+void Drives::setFault(Quantity quantity, const std::string& fault, double applied)
+{
+  of(quantity).hold(fault == "none" ? std::nullopt : std::optional(fault == "off" ? 0.0 : applied));
+}
+
 }  // namespace ratchet_sieve

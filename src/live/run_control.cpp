@@ -49,19 +49,6 @@ CommandFrame driveCommand(const Drives& drives, Quantity quantity)
   return command;
 }
 
-Outcome failSensor(Sensor& sensor, const std::string& fault)
-{
-  const bool counts = sensor.info().kind == SensorKind::COUNT;
-  for (const auto& [name, known] : SENSOR_FAULTS)
-    if (fault == name && !(counts && known == SensorFault::NOT_A_NUMBER))
-    {
-      sensor.setFault(known);
-      return {};
-    }
-  return {false, fmt::format("fault {}: must be one of none, stuck, dropout{}", shownText(fault),
-                             counts ? "" : ", nan")};
-}
-
 /// The scene with its base as it moves now.
 SceneDefinition withBase(SceneDefinition scene, const DriveState& base)
 {
@@ -375,34 +362,27 @@ void RunControl::command(Quantity quantity, double value)
 
 Outcome RunControl::fault(const std::string& part, const std::string& fault)
 {
-  std::vector<std::string> parts;
+  std::vector<std::string> parts, faults;
+  const auto note = [&](const std::string& name, const std::vector<std::string>& its_faults)
+  {
+    parts.push_back(name);
+    if (name == part)
+      faults = its_faults;
+  };
   for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-  {
-    if (part == q.name)
-      return failDrive(q.quantity, fault);
-    parts.emplace_back(q.name);
-  }
+    note(q.name, Drives::faults(q.quantity));
+  for (const Sensor& sensor : sensors_)
+    note(sensor.info().name, sensor.faults());
+  if (faults.empty())
+    return {false, fmt::format("part {}: must be one of {}", shownText(part), fmt::join(parts, ", "))};
+  if (std::find(faults.begin(), faults.end(), fault) == faults.end())
+    return {false, fmt::format("fault {}: must be one of {}", shownText(fault), fmt::join(faults, ", "))};
   for (Sensor& sensor : sensors_)
-  {
     if (part == sensor.info().name)
-      return failSensor(sensor, fault);
-    parts.emplace_back(sensor.info().name);
-  }
-  return {false, fmt::format("part {}: must be one of {}", shownText(part), fmt::join(parts, ", "))};
-}
-
-Outcome RunControl::failDrive(Quantity quantity, const std::string& fault)
-{
-  const bool can_be_off = quantity != Quantity::INCLINATION;
-  if (fault == "stuck")
-    drives_->hold(quantity, run_->simulation().base().*describe(quantity).applied);
-  else if (fault == "off" && can_be_off)
-    drives_->hold(quantity, 0.0);
-  else if (fault == "none")
-    drives_->hold(quantity, std::nullopt);
-  else
-    return {false, fmt::format("fault {}: must be one of none, stuck{}", shownText(fault),
-                               can_be_off ? ", off" : "")};
+      sensor.setFault(fault);
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    if (part == q.name)
+      drives_->setFault(q.quantity, fault, run_->simulation().base().*q.applied);
   followDrives();
   return {};
 }

@@ -123,16 +123,24 @@ void Sensor::read(const Simulation& simulation,
   {
     Reading reading{measureTime(), measured(simulation)};
     ++measurements_;
-    if (fault_ == SensorFault::STUCK && !last_.empty())
+    if (fault_ == "stuck" && !last_.empty())
       reading.values = last_;
     last_ = reading.values;
-    if (fault_ == SensorFault::NOT_A_NUMBER)
+    if (fault_ == "nan")
       reading.values.assign(1, std::numeric_limits<double>::quiet_NaN());
-    if (fault_ != SensorFault::DROPOUT)
+    if (fault_ != "dropout")
       under_way_.push_back(std::move(reading));
   }
   for (; !under_way_.empty() && under_way_.front().time + settings_.delay <= now; under_way_.pop_front())
     send(*this, under_way_.front());
+}
+
+std::vector<std::string> Sensor::faults() const
+{
+  std::vector<std::string> names = {"none", "stuck", "dropout"};
+  if (info_.kind != SensorKind::COUNT)
+    names.emplace_back("nan");
+  return names;
 }
 
 std::vector<Sensor> makeSensors(const SensorParameters& parameters, const Simulation& simulation)

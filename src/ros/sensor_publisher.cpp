@@ -25,31 +25,6 @@ ros::Publisher advertiseSensor(ros::NodeHandle& node, const SensorInfo& sensor)
       return node.advertise<DeckLevel>(sensor.name, READING_QUEUE_SIZE);
   }
 }
-
-/// The force of what lies on a scale on it.
-geometry_msgs::WrenchStamped wrenchOf(double mass, double gravity)
-{
-  geometry_msgs::WrenchStamped message;
-  message.wrench.force.z = -mass * gravity;
-  return message;
-}
-
-DiskCounts countsOf(const Reading& reading, const SceneDefinition& scene)
-{
-  DiskCounts message;
-  message.time = reading.time;
-  message.species = speciesNames(scene);
-  message.count.assign(reading.values.begin(), reading.values.end());
-  return message;
-}
-
-DeckLevel levelOf(const Reading& reading)
-{
-  DeckLevel message;
-  message.time = reading.time;
-  message.level = reading.values.front();
-  return message;
-}
 }  // namespace
 
 SensorPublisher::SensorPublisher(ros::NodeHandle private_node, const SensorParameters& sensors,
@@ -75,15 +50,24 @@ void SensorPublisher::publish(const Sensor& sensor, const Reading& reading)
     message.header.frame_id = frame_id_;
     publisher.publish(message);
   };
-  switch (sensor.info().kind)
+  if (sensor.info().kind == SensorKind::SCALE)
   {
-    case SensorKind::SCALE:
-      return send(wrenchOf(reading.values.front(), simulation.scene().gravity));
-    case SensorKind::COUNT:
-      return send(countsOf(reading, simulation.scene()));
-    default:
-      return send(levelOf(reading));
+    geometry_msgs::WrenchStamped message;
+    message.wrench.force.z = -reading.values.front() * simulation.scene().gravity;
+    return send(message);
   }
+  if (sensor.info().kind == SensorKind::COUNT)
+  {
+    DiskCounts message;
+    message.time = reading.time;
+    message.species = speciesNames(simulation.scene());
+    message.count.assign(reading.values.begin(), reading.values.end());
+    return send(message);
+  }
+  DeckLevel message;
+  message.time = reading.time;
+  message.level = reading.values.front();
+  send(message);
 }
 
 }  // namespace ratchet_sieve

@@ -96,11 +96,11 @@ TEST(Drives, giveLessAmplitudeAtAnotherFrequency)
 TEST(Drives, stayWhereTheyAreHeld)
 {
   Drives drives({}, BaseDefinition(), 0.0);
-  drives.hold(Quantity::INCLINATION, 0.07);
+  drives.setFault(Quantity::INCLINATION, "stuck", 0.07);
   drives.ask(Quantity::INCLINATION, 0.2, 1.0);
   drives.advanceTo(1.0);
   EXPECT_EQ(drives.output(Quantity::INCLINATION), 0.07);
-  drives.hold(Quantity::INCLINATION, std::nullopt);
+  drives.setFault(Quantity::INCLINATION, "none", 0.07);
   EXPECT_EQ(drives.output(Quantity::INCLINATION), 0.2);
 }
 

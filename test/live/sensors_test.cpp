@@ -202,18 +202,18 @@ TEST(Sensors, fail)
   Watched watched("{level: {rate: 10, noise: 1}}");
   auto& sent = watched.sent["level"];
   watched.run(0.25);
-  watched.sensor("level").setFault(SensorFault::STUCK);
+  watched.sensor("level").setFault("stuck");
   watched.run(0.55);
   EXPECT_EQ(sent.size(), 6u);
   EXPECT_EQ(sent[5].values, sent[2].values);
   EXPECT_DOUBLE_EQ(sent[5].time, 0.5);
-  watched.sensor("level").setFault(SensorFault::DROPOUT);
+  watched.sensor("level").setFault("dropout");
   watched.run(0.85);
   EXPECT_EQ(sent.size(), 6u);
-  watched.sensor("level").setFault(SensorFault::NOT_A_NUMBER);
+  watched.sensor("level").setFault("nan");
   watched.run(0.95);
   EXPECT_TRUE(std::isnan(sent.back().values[0]));
-  watched.sensor("level").setFault(SensorFault::NONE);
+  watched.sensor("level").setFault("none");
   watched.run(1.05);
   EXPECT_EQ(sent.back().values,
             Watched("{level: {rate: 10, noise: 1}}").run(1.05).sent["level"].back().values);

@@ -4,6 +4,7 @@
 #include <deque>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -75,12 +76,17 @@ public:
 
   void ask(Quantity quantity, double setpoint, double time) { of(quantity).ask(setpoint, time); }
   double asked(Quantity quantity) const { return drives_[indexOf(quantity)].asked(); }
-  void hold(Quantity quantity, std::optional<double> value) { of(quantity).hold(value); }
   double nextTime() const;
   void advanceTo(double time);
 
   /// What the base is given now.
   double output(Quantity quantity) const;
+
+  /// What a drive can suffer: none; stuck (it stays where it is); off, but for the inclination.
+  static std::vector<std::string> faults(Quantity quantity);
+
+  /// @param applied where the base is
+  void setFault(Quantity quantity, const std::string& fault, double applied);
 
 private:
   Drive& of(Quantity quantity) { return drives_[indexOf(quantity)]; }

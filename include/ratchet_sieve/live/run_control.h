@@ -129,8 +129,7 @@ public:
   void command(Quantity quantity, double value);
 
   /// Makes a sensor or a drive fail from now on, until a reset of the run.
-  /// @param part a quantity or a name of SENSOR_LIST @param fault of SENSOR_FAULTS; of drives none, stuck,
-  /// off
+  /// @param part a quantity, or a sensor by its name in SENSOR_LIST
   Outcome fault(const std::string& part, const std::string& fault);
 
   /// Sets a scale to zero. @param name of SENSOR_LIST
@@ -148,7 +147,6 @@ private:
   void begin(std::unique_ptr<Run> run, const Drives& drives);
   void followDrives();
   void readSensors();
-  Outcome failDrive(Quantity quantity, const std::string& fault);
 
   YAML::Node scene_;
   std::string source_;

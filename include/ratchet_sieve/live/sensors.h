@@ -9,7 +9,6 @@
 #include <optional>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "ratchet_sieve/core/simulation.h"
@@ -77,27 +76,11 @@ struct Reading
   std::vector<double> values;  ///< kg, disks of each species, or disks
 };
 
-enum class SensorFault
-{
-  NONE,
-  STUCK,    ///< it repeats its last reading
-  DROPOUT,  ///< it says nothing
-  NOT_A_NUMBER
-};
-
-constexpr std::array<std::pair<const char*, SensorFault>, 4> SENSOR_FAULTS = {{
-    {"none", SensorFault::NONE},
-    {"stuck", SensorFault::STUCK},
-    {"dropout", SensorFault::DROPOUT},
-    {"nan", SensorFault::NOT_A_NUMBER},
-}};
-
 /// One sensor. It has its own random numbers: the same scene, seed and motion give the same readings.
 class Sensor
 {
 public:
-  /// @param start_time of the run [s], the time of the first reading
-  /// @param index in SENSOR_LIST
+  /// @param index in SENSOR_LIST @param start_time of the run [s], the time of the first reading
   Sensor(std::size_t index, const SensorSettings& settings, const SceneDefinition& scene, double start_time);
 
   const SensorInfo& info() const { return info_; }
@@ -116,7 +99,9 @@ public:
   /// What lies on a scale now counts as nothing.
   void tare() { tare_ = lagged_; }
 
-  void setFault(SensorFault fault) { fault_ = fault; }
+  /// What it can suffer: none; stuck (it repeats its last reading); dropout (it says nothing); nan.
+  std::vector<std::string> faults() const;
+  void setFault(const std::string& fault) { fault_ = fault; }
 
 private:
   double measureTime() const;
@@ -139,7 +124,7 @@ private:
   double tare_ = 0.0;    ///< [kg]
   std::vector<double> counts_;
   double counted_until_ = -std::numeric_limits<double>::infinity();  ///< end of the dead time [s]
-  SensorFault fault_ = SensorFault::NONE;
+  std::string fault_ = "none";
   std::vector<double> last_;  ///< values measured, for a sensor that sticks
   std::deque<Reading> under_way_;
 };
