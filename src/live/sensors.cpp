@@ -106,13 +106,18 @@ double Sensor::shown(double value)
 
 std::vector<double> Sensor::measured(const Simulation& simulation)
 {
-  const double time = measureTime();
   if (info_.kind == SensorKind::COUNT)
     return counts_;
   if (info_.kind == SensorKind::LEVEL)
     input_ = onStretch(simulation);
-  lagTo(time);
-  return {shown(lagged_ - tare_ + settings_.drift * (time - start_time_) / SECONDS_PER_HOUR)};
+  lagTo(measureTime());
+  return {shown(undisturbed() - tare_)};
+}
+
+/// What a scale or a level would show without noise and tare.
+double Sensor::undisturbed() const
+{
+  return lagged_ + settings_.drift * (lag_time_ - start_time_) / SECONDS_PER_HOUR;
 }
 
 void Sensor::read(const Simulation& simulation,

@@ -123,7 +123,7 @@ void RunningSimulation::pour(std::size_t species, std::size_t count)
 
 SensorParameters sensorsFromText(const std::string& yaml)
 {
-  return readSensors(copyWithoutLines(copyableYaml(yaml, "sensors")), "argument");
+  return readSensors(copyWithoutLines(copyableYaml(yaml, "sensors")), "sensors");
 }
 
 void RunningSimulation::sense(const std::string& sensors)

@@ -53,7 +53,7 @@ void SensorPublisher::publish(const Sensor& sensor, const Reading& reading)
   if (sensor.info().kind == SensorKind::SCALE)
   {
     geometry_msgs::WrenchStamped message;
-    message.wrench.force.z = -reading.values.front() * simulation.scene().gravity;
+    message.wrench.force.z = 0.0 - reading.values.front() * simulation.scene().gravity;  // no -0.0
     return send(message);
   }
   if (sensor.info().kind == SensorKind::COUNT)

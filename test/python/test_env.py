@@ -448,7 +448,7 @@ def test_sensors_of_a_real_machine_come_again_and_change_nothing(scene):
 def test_sensors_are_asked_for_by_their_names(scene):
     with pytest.raises(rs.SceneError, match="camera: unknown key; must be one of count, level, scale"):
         SieveEnv(scene, sensors={"camera": {}})
-    with pytest.raises(rs.SceneError, match="count.miss = 2: must be from 0 to 1"):
+    with pytest.raises(rs.SceneError, match="^sensors: count.miss = 2: must be a number from 0 to 1; did you mean"):
         SieveEnv(scene, sensors={"count": {"miss": 2}})
     with pytest.raises(ValueError, match="observations: there is none of the name 'sensors'"):
         SieveEnv(scene, observations=("sensors",))

@@ -97,7 +97,7 @@ public:
   void read(const Simulation& simulation, const std::function<void(const Sensor&, const Reading&)>& send);
 
   /// What lies on a scale now counts as nothing.
-  void tare() { tare_ = lagged_; }
+  void tare() { tare_ = undisturbed(); }
 
   /// What it can suffer: none; stuck (it repeats its last reading); dropout (it says nothing); nan.
   std::vector<std::string> faults() const;
@@ -106,6 +106,7 @@ public:
 private:
   double measureTime() const;
   std::vector<double> measured(const Simulation& simulation);
+  double undisturbed() const;
   double shown(double value);
   void lagTo(double time);
   void count(const ExitRecord& exit);
