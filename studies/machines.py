@@ -32,7 +32,16 @@ ANY = {**PAPER, "base.asymmetry": (0.0, 0.5), "base.tooth_height": (0.002, 0.018
        "base.horizontal_phase": (-3.14, 3.14)}
 KINDS = {"the paper's teeth and drive": (PAPER, 48), "any teeth, driven obliquely as well": (ANY, 120)}
 VERTICAL = {"base.horizontal_amplitude": 0.0, "base.horizontal_phase": 0.0}  # of the paper's drive
-HEADER = """# {title}:
+SEEN = {  # first lines of the scenes: a title, and what one sees
+    "fig9": "Two kinds climb apart: small heavy disks walk up the sawtooth to the right, large light ones come down to "
+            "the left.",
+    "friction": "Only the friction differs: smooth and rough disks of one size and mass part.",
+    "mass": "Only the mass differs: disks of one size, 10 g and 1 g, and the machine still tells them apart.",
+    "restitution": "Only the bounce differs: dull and bouncy disks of one size and mass part.",
+}
+HEADER = """# {seen}
+#
+# {title}:
 # the best machine that studies/machines.py found, at {throughput:g} disks/s at least; docs/machines.md has its results.
 # Every key is explained in paper_fig8.yaml.
 """
@@ -47,7 +56,7 @@ def search(name, results, out):
         fronts[kind] = rs.front(scene, over, trials=trials, start=start, results=results)
         start = [{**VERTICAL, **row} for row in fronts[kind].table[list(over)].to_dict("records")]
         print(name, kind, fronts[kind], flush=True)
-    text = HEADER.format(title=title, throughput=throughput) + fronts[kind].scene(throughput).yaml
+    text = HEADER.format(seen=SEEN[name], title=title, throughput=throughput) + fronts[kind].scene(throughput).yaml
     (out / f"machine_{name}.yaml").write_text(text, encoding="utf-8")
     return fronts
 

@@ -13,8 +13,8 @@
 #include "ratchet_sieve/core/choke.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/fields.h"
-#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/statistics/segregation.h"
 
 /// The engine as a module of WebAssembly: functions over one simulation, and buffers that the caller reads
 /// and writes in the module's memory. A buffer's address holds until the next call. engine.js calls them.
@@ -147,9 +147,10 @@ EXPORT(slew) void slew(double inclination, double frequency, double amplitude)
   simulation->setSlewRates(rates);
 }
 
-EXPORT(pour) void pour(std::size_t species, std::size_t count)
+/// @param from, to the stretch [m]; not a number: that of the scene's pour
+EXPORT(pour) void pour(std::size_t species, std::size_t count, double from, double to)
 {
-  simulation->pour(species, count);
+  simulation->pour(species, count, from == from ? std::optional(Stretch{from, to}) : std::nullopt);
 }
 
 /// Reads the state into the readings and the disks.

@@ -12,16 +12,16 @@
 
 #include <Eigen/Core>
 
-#include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/flow_series.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/results.h"
-#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/core/state_archive.h"
+#include "ratchet_sieve/statistics/block_averages.h"
+#include "ratchet_sieve/statistics/flow_series.h"
+#include "ratchet_sieve/statistics/segregation.h"
 
 namespace ratchet_sieve
 {
@@ -78,9 +78,12 @@ public:
   void setSlewRates(const SlewRates& rates);
 
   /// Pours `count` more disks of a species at time(), at the lowest free positions.
-  /// @throws std::invalid_argument if there is no such species, if its disks are wider than the machine, or
-  /// if there would be more than MOST_DISKS in it; the state is then unchanged, also if the observer throws
-  void pour(std::size_t species, std::size_t count, const PourObserver& pour_observer = {});
+  /// @param between without it, the stretch of the scene's pour
+  /// @throws std::invalid_argument if there is no such species, if its disks are wider than the machine, if
+  /// the stretch is not on the base, or if there would be more than MOST_DISKS in it; the state is then
+  /// unchanged, also if the observer throws
+  void pour(std::size_t species, std::size_t count, const std::optional<Stretch>& between = {},
+            const PourObserver& pour_observer = {});
 
   DriveState base() const;
   std::size_t activeDisks() const;        ///< disks in the machine
