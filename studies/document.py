@@ -49,7 +49,7 @@ def checks(claims):
 
 def sources(outcome, document, shown):
     """Where a study's pictures, numbers and runs are. @param shown how many pictures the document shows"""
-    pictures = [f"[{picture.caption.split(';')[0]}](images/{document}_{picture.name}.png)"
+    pictures = [f"[{picture.name}](images/{document}_{picture.name}.png)"
                 for picture in outcome.study.pictures[shown:]]
     files = [f"[{name}.csv](data/{document}_{name}.csv)" for name in outcome.study.tables(outcome.numbers)]
     parts = [(f"Picture{'s' if len(pictures) > 1 else ''}", pictures), ("Numbers", files)]

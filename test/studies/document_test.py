@@ -62,7 +62,7 @@ class Documents(unittest.TestCase):
         self.assertEqual((figures["made.drift"], figures["claim.1.verdict"]), ("0.60 ± 0.10", "undecided"))
         self.assertEqual(table, "f\n20\n")
         self.assertIn("2 runs of 10 s, seeds 1 to 2, **1 failed** and left out.", text.replace("\n", " "))
-        self.assertIn("# Checks\n\n## Made by hand\n\nPicture: [A caption](images/paper_made.png). Numbers:", others)
+        self.assertIn("# Checks\n\n## Made by hand\n\nPicture: [made](images/paper_made.png). Numbers:", others)
         self.assertIn("| fig5 | 20 | 0.1 to 0.9 | 20 | 6 | 1 | — | 0.6 | 0.1 | 0.4 | 0.05 | 2 | 12 to 50 | 12 | 6 |",
                       text)
         self.assertIn("ratchet_sieve 0.1.0, physics version 1 (", text)
