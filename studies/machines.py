@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Searches for the machines that part the paper's mixture, and three of kinds that differ in one number alone, best at
-much throughput. Writes the tables of machines.md, data/machines.csv, a picture, and the best machines as scenes."""
+much throughput. Writes the table of separate.md, data/machines.csv, a picture, and the best machines as scenes."""
 import argparse
 import pathlib
 import warnings
@@ -42,7 +42,7 @@ SEEN = {  # first lines of the scenes: a title, and what one sees
 HEADER = """# {seen}
 #
 # {title}:
-# the best machine that studies/machines.py found, at {throughput:g} disks/s at least; docs/machines.md has its results.
+# the best machine that studies/machines.py found, at {throughput:g} disks/s at least; docs/separate.md has its results.
 # Every key is explained in paper_fig8.yaml.
 """
 
@@ -95,9 +95,9 @@ def main():
     parser.add_argument("--results", type=pathlib.Path, default=WORK / "out/machines.db", metavar="FILE",
                         help="where the runs are kept: the same command continues (default: out/machines.db)")
     parser.add_argument("--out", type=pathlib.Path, default=WORK / "docs", metavar="DIR",
-                        help="directory with machines.md (default: docs); scenes go to its neighbour config")
+                        help="directory with separate.md (default: docs); scenes go to its neighbour config")
     options = parser.parse_args()
-    page = options.out / "machines.md"
+    page = options.out / "separate.md"
     documents.require_place(parser, page, MARK)
     warnings.simplefilter("ignore", rs.SieveWarning)
     options.results.parent.mkdir(parents=True, exist_ok=True)
