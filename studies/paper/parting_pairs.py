@@ -100,13 +100,13 @@ def found_at_both(numbers):
 
 
 def text(numbers):
+    found = "; ".join(found_at_both(numbers))
     classes = [parting.class_of(pair) for means in numbers.values() for pair in means.values()]
     return (f"Of {len(numbers)} pairs of parameters, {len(classes) // len(parting.ANGLES)} settings at two angles "
-            "each, A is seen to go right and B left at both angles only at "
-            f"{'; '.join(found_at_both(numbers)) or 'none'}. At {classes.count(parting.UNTOLD)} of "
-            f"{len(classes)} a way is undecided, most of them for want of power: seven pairs ran on 10 teeth for 10 to "
-            "20 s with three seeds. Each sign is at 95 %, not corrected for the number of settings; fresh seeds "
-            "confirm both (A2a, A2b). Three parameters at once were not tried.")
+            f"each, A is seen to go right and B left at both angles {f'only at {found}' if found else 'nowhere'}. At "
+            f"{classes.count(parting.UNTOLD)} of {len(classes)} a way is undecided, most of them for want of power: "
+            "seven pairs ran on 10 teeth for 10 to 20 s with three seeds. Each sign is at 95 %, not corrected for the number of settings; by fresh "
+            "seeds: A2a, A2b. Three parameters at once were not tried.")
 
 
 def lines(numbers):
