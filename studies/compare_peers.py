@@ -35,16 +35,8 @@ def read_arguments():
                         help="run nothing: draw docs/images/cost.png from docs/data")
     arguments = parser.parse_args()
     if arguments.write:
-        for place in ["peers"] + (["edmd"] if arguments.edmd else []):
-            documents.require_place(parser, arguments.write, place)
+        documents.require_place(parser, arguments.write, "peers")
     return arguments
-
-
-def publish(arguments, name, text, figures, about):
-    if arguments.write:
-        documents.put(arguments.write, name, text)
-        documents.quote(arguments.write, name, figures, about)
-    print(text)
 
 
 def main():
@@ -64,9 +56,15 @@ def main():
         (arguments.out / "peers.json").write_text(
             json.dumps({"machine": about, "missing": missing, "runs": taken, "edmd": None if rates is None else rates.tolist()},
                        indent=1) + "\n", encoding="utf-8")
-    publish(arguments, "peers", table.render(arguments.programs, taken, missing, about), table.figures(taken), about)
+    text = table.render(arguments.programs, taken, missing, about)
+    print(text)
+    if arguments.write:
+        documents.put(arguments.write, "peers", text)
+        documents.quote(arguments.write, "peers", table.figures(taken), about)
     if arguments.edmd:
-        publish(arguments, "edmd", edmd.render(rates, about), edmd.figures(rates), about)
+        print(edmd.render(rates, about))
+    if arguments.edmd and arguments.write:
+        documents.quote(arguments.write, "edmd", edmd.figures(rates), about)
     if arguments.picture:
         data = arguments.picture.parent.parent / "data"
         picture.write(data / "peers.csv", taken, about)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Searches for the machines that part the paper's mixture, and three of kinds that differ in one number alone, best at
-much throughput. Writes the tables of machines.md, data/machines.csv, a picture, and the best machines as scenes."""
+much throughput. Writes the table of separate.md, data/machines.csv, a picture, and the best machines as scenes."""
 import argparse
 import pathlib
 import warnings
@@ -32,8 +32,17 @@ ANY = {**PAPER, "base.asymmetry": (0.0, 0.5), "base.tooth_height": (0.002, 0.018
        "base.horizontal_phase": (-3.14, 3.14)}
 KINDS = {"the paper's teeth and drive": (PAPER, 48), "any teeth, driven obliquely as well": (ANY, 120)}
 VERTICAL = {"base.horizontal_amplitude": 0.0, "base.horizontal_phase": 0.0}  # of the paper's drive
-HEADER = """# {title}:
-# the best machine that studies/machines.py found, at {throughput:g} disks/s at least; docs/machines.md has its results.
+SEEN = {  # first lines of the scenes: a title, and what one sees
+    "fig9": "Two kinds climb apart: small heavy disks walk up the sawtooth to the right, large light ones come down to "
+            "the left.",
+    "friction": "Only the friction differs: smooth and rough disks of one size and mass part.",
+    "mass": "Only the mass differs: disks of one size, 10 g and 1 g, and the machine still tells them apart.",
+    "restitution": "Only the bounce differs: dull and bouncy disks of one size and mass part.",
+}
+HEADER = """# {seen}
+#
+# {title}:
+# the best machine that studies/machines.py found, at {throughput:g} disks/s at least; docs/separate.md has its results.
 # Every key is explained in paper_fig8.yaml.
 """
 
@@ -47,7 +56,7 @@ def search(name, results, out):
         fronts[kind] = rs.front(scene, over, trials=trials, start=start, results=results)
         start = [{**VERTICAL, **row} for row in fronts[kind].table[list(over)].to_dict("records")]
         print(name, kind, fronts[kind], flush=True)
-    text = HEADER.format(title=title, throughput=throughput) + fronts[kind].scene(throughput).yaml
+    text = HEADER.format(seen=SEEN[name], title=title, throughput=throughput) + fronts[kind].scene(throughput).yaml
     (out / f"machine_{name}.yaml").write_text(text, encoding="utf-8")
     return fronts
 
@@ -59,16 +68,12 @@ def cell(row):
         plus_minus(row["throughput"], row["throughput_half_width"])
 
 
-def sections(found):
-    """The tables: of each mixture the best of each kind; the settings of the best of all."""
+def bests_of(found):
+    """The table: of each mixture the best of each kind of machine."""
     bests = {name: {kind: front.best_row(MIXTURES[name][2]) for kind, front in fronts.items()}
              for name, fronts in found.items()}
-    yield table(["separation, at disks/s", *KINDS],
+    return table(["separation, at disks/s", *KINDS],
                 [[MIXTURES[name][0], *map(cell, rows.values())] for name, rows in bests.items()])
-    last = list(KINDS)[-1]
-    rows = {name: rows[last] for name, rows in bests.items() if rows[last]}
-    yield table(["best machine of the last kind", *rows],
-                [[f"`{key}`", *(f"{row[key]:g}".replace("-", "−") for row in rows.values())] for key in ANY])
 
 
 def draw(found):
@@ -90,9 +95,9 @@ def main():
     parser.add_argument("--results", type=pathlib.Path, default=WORK / "out/machines.db", metavar="FILE",
                         help="where the runs are kept: the same command continues (default: out/machines.db)")
     parser.add_argument("--out", type=pathlib.Path, default=WORK / "docs", metavar="DIR",
-                        help="directory with machines.md (default: docs); scenes go to its neighbour config")
+                        help="directory with separate.md (default: docs); scenes go to its neighbour config")
     options = parser.parse_args()
-    page = options.out / "machines.md"
+    page = options.out / "separate.md"
     documents.require_place(parser, page, MARK)
     warnings.simplefilter("ignore", rs.SieveWarning)
     options.results.parent.mkdir(parents=True, exist_ok=True)
@@ -103,7 +108,7 @@ def main():
         options.out / "data/machines.csv", index=False, float_format="%.6g")
     plots.save(draw(found), options.out / "images/machines.png", svg=False, bbox_inches="tight")
     about = wrapped(f"{origin.text()}.")
-    documents.put(page, MARK, "\n\n".join([*sections(found), about]))
+    documents.put(page, MARK, f"{bests_of(found)}\n\n{about}")
 
 
 if __name__ == "__main__":

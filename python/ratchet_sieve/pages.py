@@ -5,6 +5,7 @@ import argparse
 import html
 import os
 import pathlib
+import re
 import sys
 import tempfile
 import webbrowser
@@ -13,13 +14,13 @@ from typing import Any, Callable, Union
 from . import _engine
 from .arguments import path_of
 from .places import SHARE, WORK
-from .scene import AnyScene, scene_of
+from .scene import AnyScene, Scene, scene_of
 
 OFFERED = ("machine_fig9", "demo", "paper_fig8", "paper_fig9", "paper_fig3", "machine_mass", "glass_rubber",
            "sized_mixture", "circular_feeder", "profile_castle")
 """The scenes of config/ that are offered where none is asked for; the first opens."""
 TITLE = "Ratchet sieve, live"
-HEIGHT = 1100  # in a notebook [pixels]
+HEIGHT = 720  # in a notebook [pixels]
 
 
 def framed(write: Callable[[pathlib.Path], None], title: str, height: int) -> str:
@@ -49,17 +50,28 @@ def show_page(write: Callable[[pathlib.Path], None], title: str, height: int) ->
     return None
 
 
+def heading(scene: Scene, name: str) -> tuple[str, str]:
+    """A scene's title and what one sees: the first line of its file, where that is a comment `# TITLE: SENTENCE`."""
+    try:
+        with open(scene.source, encoding="utf-8") as file:
+            found = re.fullmatch(r"# ([^:]{1,60}): (.+)", file.readline().strip())
+    except (OSError, UnicodeDecodeError):
+        found = None
+    return (found[1], found[2][0].upper() + found[2][1:]) if found else (name, "")
+
+
 class LivePage:
     """A page in which scenes run live. `show()` shows it, `write(path)` writes it: one file of HTML."""
 
     def __init__(self, *scenes: AnyScene):
         """Of these scenes, or of some of config/. Raises SceneError, ValueError."""
         self._given = [scene_of(scene) for scene in scenes or [SHARE / f"config/{name}.yaml" for name in OFFERED]]
-        self._scenes: list[tuple[str, Any]] = []
+        self._scenes: list[tuple[str, str, str, Any]] = []
         for scene in self._given:
             stem = os.path.basename(scene.source).partition(".")[0]
-            taken = sum(name.partition(" (")[0] == stem for name, _ in self._scenes)
-            self._scenes.append((f"{stem} ({taken + 1})" if taken else stem, scene._engine))
+            taken = sum(name.partition(" (")[0] == stem for name, *_ in self._scenes)
+            name = f"{stem} ({taken + 1})" if taken else stem
+            self._scenes.append((name, *heading(scene, name), scene._engine))
 
     def write(self, path: Union[str, os.PathLike]) -> None:
         """Raises FileNotFoundError if the engine was not compiled for browsers, OSError, ValueError."""
@@ -78,7 +90,7 @@ class LivePage:
         return framed(self.write, TITLE, HEIGHT)
 
     def __repr__(self) -> str:
-        return f"<LivePage of {', '.join(name for name, _ in self._scenes)}>"
+        return f"<LivePage of {', '.join(name for name, *_ in self._scenes)}>"
 
 
 def live(*scenes: AnyScene) -> LivePage:

@@ -81,14 +81,18 @@ class Simulation:
         rates = {"inclination": inclination, "frequency": frequency, "amplitude": amplitude}
         self._engine.set_slew_rates(*(number(f"{name} (slew rate)", rate) for name, rate in rates.items()))
 
-    def pour(self, species: Union[str, int], count: int) -> None:
-        """Pours more disks of a species, by name or number, at the lowest free places; Ctrl-C cancels it. Raises
-        ValueError, also if there would be more than 10^7 disks."""
+    def pour(self, species: Union[str, int], count: int, *, between: Optional[tuple[float, float]] = None) -> None:
+        """Pours more disks of a species, by name or number, at the lowest free places; Ctrl-C cancels it.
+
+        `between`: both ends of the stretch of the base that is poured onto, from its left end [m]; without it, that of
+        the scene's pour. Raises ValueError, also if there would be more than 10^7 disks.
+        """
         if isinstance(species, str):
             if species not in self._scene.species:
                 raise ValueError(f"there is no species {species!r}; there are {', '.join(self._scene.species)}")
             species = self._scene.species.index(species)
-        self._engine.pour(integer("species", species), integer("count", count))
+        stretch = between and tuple(number("between", end, 0, unit="m") for end in between)
+        self._engine.pour(integer("species", species), integer("count", count), stretch)
 
     @property
     def disks(self) -> np.ndarray:

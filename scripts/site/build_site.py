@@ -20,6 +20,8 @@ PACKAGE = HERE.parents[1]
 KATEX = Path('/usr/share/javascript/katex')
 KEPT = {'.md', '.csv', '.gif', '.png', '.svg'}  # any other file that a page links to becomes a page
 LINK = re.compile(r'(?<=\]\()([^)\s:#]+)(?=[)#])')
+PICTURE = re.compile(r'^!\[(.+)\]\((.+)\)\n', re.MULTILINE)
+HERO = '\n\n<iframe class="hero" src="live.html" title="The machine, live"></iframe>\n'
 RUNS = {'demo': {'base.inclination': 0.19, 'duration': 15}, 'machine_mass': {'duration': 8},
         'circular_feeder': {'duration': 8, 'settle': 1}}
 MODULES = ('scene', 'size_tables', 'runs', 'simulation', 'values', 'sweeps', 'answers', 'answers.answer', 'answers.front',
@@ -42,11 +44,21 @@ def stage_documents(source):
         if path.suffix == '.md':
             text = path.read_text()
             waiting += [path.parent / link for link in LINK.findall(text)]
-            to.write_text(as_markdown(LINK.sub(lambda link: page_of(link[0]), text)))
+            text = as_markdown(LINK.sub(lambda link: page_of(link[0]), text))
+            to.write_text(HERO.join(text.partition('\n')[::2]) if path.name == 'README.md' else pictures_first(text))
         elif path.suffix in KEPT:
             shutil.copy(path, to)
         else:
             to.write_text(page_of_text(path))
+
+
+def pictures_first(text):
+    """The first picture of a page below its title, and each with what it says as its caption."""
+    first = PICTURE.search(text)
+    if first:
+        title, rest = text.replace(first[0], '', 1).split('\n', 1)
+        text = f'{title}\n\n{first[0]}{rest}'
+    return PICTURE.sub(r'<figure><img src="\2" alt="">\n<figcaption>\1</figcaption></figure>\n', text)
 
 
 def page_of(link):
@@ -123,7 +135,11 @@ def stage_pages(source):
     (source / 'runs').mkdir()
     for name, overrides in RUNS.items():
         scene = rs.Scene.load(PACKAGE / f'config/{name}.yaml', overrides)
-        rs.run(scene, frames=60, progress=False).write(source / f'runs/{name}.html', megabytes=1.5)
+        result = rs.run(scene, frames=60, progress=False)
+        result.write(source / f'runs/{name}.html', megabytes=1.5)
+        axes = result.plot()
+        axes.set_axis_off()
+        axes.figure.savefig(source / f'runs/{name}.png', bbox_inches='tight')
 
 
 def embed_search(site):

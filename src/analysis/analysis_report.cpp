@@ -41,7 +41,7 @@ std::string velocityText(const Json& species, const std::string& by)
 {
   const Json& mean = species[by + "mean_vx"];
   return numberText(mean, "{:+.2f}", MM_PER_M) +
-         (mean.is_null() ? "" : " +- " + numberText(species[by + "mean_vx_stderr"], "{:.2f}", MM_PER_M));
+         (mean.is_null() ? "" : " ± " + numberText(species[by + "mean_vx_stderr"], "{:.2f}", MM_PER_M));
 }
 
 /// A note whether the run is exact, or may have missed contacts.

@@ -104,9 +104,10 @@ void Simulation::setSlewRates(const SlewRates& rates)
   engine_->changeMotion([=](BaseMotion& m, double now) { m.setSlewRates(rates, now); });
 }
 
-void Simulation::pour(std::size_t species, std::size_t count, const PourObserver& pour_observer)
+void Simulation::pour(std::size_t species, std::size_t count, const std::optional<Stretch>& between,
+                      const PourObserver& pour_observer)
 {
-  engine_->pour(species, count, pour_observer);
+  engine_->pour(species, count, between.value_or(scene().pour.stretch), pour_observer);
 }
 
 DriveState Simulation::base() const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
@@ -11,6 +12,9 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -117,28 +121,40 @@ private:
   bool complete_ = true;
 };
 
-/// Longest line of help and tables [characters].
+/// Longest line of tables, and of help at most [characters].
 constexpr std::size_t TEXT_WIDTH = 110;
 
-/// Lines of at most TEXT_WIDTH characters, each indented.
-inline std::string wrappedText(const std::string& text, std::size_t indent)
+/// Longest line of help: $COLUMNS, or the terminal's, or 80 [characters].
+inline std::size_t helpWidth()
+{
+  winsize terminal = {};
+  std::size_t width = 80;
+  if (const char* columns = std::getenv("COLUMNS"))
+    width = std::strtoul(columns, nullptr, 10);
+  else if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &terminal) == 0 && terminal.ws_col > 0)
+    width = terminal.ws_col;
+  return std::clamp(width, std::size_t{60}, TEXT_WIDTH);
+}
+
+/// Lines of at most `width` characters, each indented. No word is broken.
+inline std::string wrappedText(const std::string& text, std::size_t indent, std::size_t width = TEXT_WIDTH)
 {
   std::string lines;
   std::size_t begin = 0;
   while (begin < text.size())
   {
     std::size_t end = text.size();
-    if (end - begin > TEXT_WIDTH - indent)
-      end = text.rfind(' ', begin + TEXT_WIDTH - indent);
+    if (end - begin > width - indent)
+      end = text.rfind(' ', begin + width - indent);
     if (end == std::string::npos || end <= begin)
-      end = text.size();
+      end = std::min(text.find(' ', begin), text.size());
     lines += std::string(indent, ' ') + text.substr(begin, end - begin) + "\n";
     begin = end + 1;
   }
   return lines;
 }
 
-/// Help within TEXT_WIDTH: an option's name and argument on the left, its description, ended by the default,
+/// Help within helpWidth(): an option's name and argument on the left, its description, ended by the default,
 /// on the right.
 class HelpFormat : public CLI::Formatter
 {
@@ -155,7 +171,7 @@ public:
     std::string text = option->get_description();
     if (!option->get_default_str().empty())
       text += " (default: " + option->get_default_str() + ")";
-    std::string lines = wrappedText(text, NAMES_WIDTH);
+    std::string lines = wrappedText(text, NAMES_WIDTH, helpWidth());
     if (names.size() + 2 > NAMES_WIDTH)
       return names + "\n" + lines;
     return lines.replace(0, names.size(), names);
@@ -163,10 +179,13 @@ public:
 
   std::string make_description(const CLI::App* app) const override
   {
-    return wrappedText(app->get_description(), 0);
+    return wrappedText(app->get_description(), 0, helpWidth());
   }
 
-  std::string make_footer(const CLI::App* app) const override { return wrappedText(app->get_footer(), 0); }
+  std::string make_footer(const CLI::App* app) const override
+  {
+    return wrappedText(app->get_footer(), 0, helpWidth());
+  }
 
 private:
   static constexpr std::size_t NAMES_WIDTH = 26;

@@ -115,6 +115,8 @@ void describeRun(CLI::App& app, RunArguments& arguments)
       ->type_name("N")
       ->check(CLI::Range(std::size_t{0}, MOST_THREADS))
       ->capture_default_str();
+  app.add_flag("-v,--verbose", arguments.verbose,
+               "Say which parts of the model are computed; the summary has it as plan");
 }
 
 std::string rowOf(const KeyText& text)

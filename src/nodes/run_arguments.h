@@ -30,6 +30,7 @@ struct RunArguments
   double checkpoint_every = 60.0;
   std::string resume;
   bool check_floor = false;
+  bool verbose = false;  ///< whether the plan is said
   std::size_t threads = 0;
 };
 

@@ -27,6 +27,8 @@ namespace
 
 using namespace ratchet_sieve;
 
+constexpr double MM_PER_M = 1e3;
+
 void warn(const std::string& text)
 {
   std::fprintf(stderr, "sieve_run: warning: %s\n", text.c_str());
@@ -85,9 +87,10 @@ Checkpoint begin(const SceneDefinition& scene, const std::string& path)
   return {progress, std::move(simulation)};
 }
 
-void announce(const Scene& scene)
+void announce(const Scene& scene, bool verbose)
 {
-  std::fprintf(stderr, "sieve_run: plan: %s\n", planText(planOf(scene.definition)).c_str());
+  if (verbose)
+    std::fprintf(stderr, "sieve_run: plan: %s\n", planText(planOf(scene.definition)).c_str());
   std::fprintf(stderr, "sieve_run: %s\n", sizeText(scene.definition).c_str());
   for (const std::string& warning : scene.warnings)
     warn(warning);
@@ -113,6 +116,34 @@ bool checkFloor(const SceneDefinition& scene, nlohmann::ordered_json& summary)
   return !runs.is_null();
 }
 
+/// "Q 0.78, P 0.99; A: 3 left, 130 right; B: ..."; the mean velocities where no disk can leave.
+std::string resultText(const nlohmann::ordered_json& summary)
+{
+  const auto number = [](const nlohmann::ordered_json& value, const char* format, double scale = 1.0)
+  { return value.is_null() ? "undefined" : fmt::format(format, scale * value.get<double>()); };
+  const bool open = summary["quality"].is_number() || summary["processed"] != 0.0;
+  std::string text =
+      open ? "Q " + number(summary["quality"], "{:.2f}") + ", P " + number(summary["processed"], "{:.2f}")
+           : "mean velocities";
+  for (const auto& species : summary["species"])
+    text += fmt::format("; {}: ", shownText(species["name"].get<std::string>())) +
+            (open ? fmt::format("{} left, {} right", species["left"].dump(), species["right"].dump())
+                  : number(species["mean_vx"], "{:+.1f}", MM_PER_M) + " ± " +
+                        number(species["mean_vx_stderr"], "{:.1f}", MM_PER_M) + " mm/s");
+  return text;
+}
+
+/// "; wrote run.json, run.html"; nothing where no file was written.
+std::string writtenText(const RunArguments& arguments)
+{
+  std::string text;
+  for (const std::string& path : {arguments.summary, arguments.page.path, arguments.bag, arguments.trajectory,
+                                  arguments.collisions, arguments.exits, arguments.checkpoint})
+    if (!path.empty())
+      text += (text.empty() ? "; wrote " : ", ") + shownText(path);
+  return text;
+}
+
 int run(const RunArguments& arguments)
 {
   // CLI11 would give the PART of --keys to a required SCENE.
@@ -133,7 +164,7 @@ int run(const RunArguments& arguments)
   RunOutputs outputs(arguments, scene.feed_file);
   if (!arguments.checkpoint.empty())  // before the pour, which may take long
     orRefuse<OutputError>([&] { requireReplaceable(arguments.checkpoint); });
-  announce(scene);
+  announce(scene, arguments.verbose);
   if (pours)
     start = begin(scene.definition, arguments.scene);
   auto& [so_far, simulation] = *start;
@@ -157,7 +188,9 @@ int run(const RunArguments& arguments)
   const bool through = outcome.end != RunEnd::STOPPED && outcome.end != RunEnd::STALLED;
   nlohmann::ordered_json summary = summarize(simulation, outcome);
   const bool checked = !arguments.check_floor || !through || checkFloor(scene.definition, summary);
-  const bool complete = outputs.finish(summary, outcome.warnings);
+  const bool complete = outputs.finish(summary);
+  if (complete)
+    std::fprintf(stderr, "sieve_run: %s%s\n", resultText(summary).c_str(), writtenText(arguments).c_str());
   return through && not_saved.empty() && checked && complete ? DONE : FAILED;
 }
 

@@ -4,7 +4,7 @@
   embed.py WEB_DIRECTORY OUTPUT.cpp
 
 PAGE.html stands in layout.html in place of `{{page}}`. Both name what they consist of: a line `<link href="FILE.css">`
-stands for a style sheet, a line `<script src="FILE.js">` for a script. All scripts of a page are one, and so are all
+stands for style sheets, separated by spaces, a line `<script src="FILE.js">` for scripts. All scripts of a page are one, and so are all
 style sheets; the page's content policy allows these two alone, by their hashes. A line `<script worker src="FILE.js">`
 is a part of the program of a worker, which the page starts from the element `worker`, and which may compile
 WebAssembly. `{{title}}` and `{{data}}` are where the program fills in."""
@@ -14,7 +14,7 @@ import re
 import sys
 from pathlib import Path
 
-PAGES = {'LIVE_TEMPLATE': 'live.html', 'RUN_TEMPLATE': 'run.html', 'SWEEP_TEMPLATE': 'sweep.html'}
+PAGES = {'ANSWER_TEMPLATE': 'answer.html', 'LIVE_TEMPLATE': 'live.html', 'RUN_TEMPLATE': 'run.html', 'SWEEP_TEMPLATE': 'sweep.html'}
 PIECE = 8000  # characters of a literal: compilers need to take no more than 65536
 
 
@@ -28,7 +28,7 @@ def text_of(web, name):
 
 def joined(web, page, pattern):
     """The files that the page names by such lines, and the page without these lines."""
-    names = re.findall(pattern, page, re.MULTILINE)
+    names = ' '.join(re.findall(pattern, page, re.MULTILINE)).split()
     return ''.join(text_of(web, name) for name in names), re.sub(pattern + r'\n', '', page, flags=re.MULTILINE)
 
 
@@ -47,6 +47,8 @@ def template_of(web, name):
         raise SystemExit(f'embed.py: {name}: a script or style sheet would end its own element')
     policy = f"default-src 'none'; script-src {hash_of(script)}; style-src {hash_of(style)}; base-uri 'none'; " \
              "form-action 'none'"
+    if '<img' in page:
+        policy += '; img-src data:'
     if worker:
         policy = policy.replace('script-src', "worker-src blob:; script-src 'wasm-unsafe-eval'")
         worker = f'<script type="text/plain" id="worker">{worker}</script>\n'

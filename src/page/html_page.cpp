@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include <boost/archive/iterators/transform_width.hpp>
 
 #include "ratchet_sieve/core/disks_of_scene.h"
+#include "ratchet_sieve/page/answer_page.h"
 #include "ratchet_sieve/page/sweep_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/scalars.h"
@@ -81,16 +83,29 @@ std::string jsonForHtml(const nlohmann::ordered_json& json)
   return text;
 }
 
-void writePage(AtomicFile&& file, const PageTemplate& page, const std::string& title,
-               const nlohmann::ordered_json& json, const std::vector<PageData>& data)
+std::string pageText(const PageTemplate& page, const std::string& title, const nlohmann::ordered_json& json,
+                     const std::vector<PageData>& data)
 {
-  std::ostream& out = file.stream();
+  std::ostringstream out;
   out << page.head << htmlText(shownText(title)) << page.body;
   out << R"(<script type="application/json" id="data">)" << jsonForHtml(json) << "</script>\n";
   for (const PageData& each : data)
     out << R"(<script type="text/plain" id=")" << each.id << R"(">)" << base64(each.bytes) << "</script>\n";
   out << page.tail;
+  return out.str();
+}
+
+void writePage(AtomicFile&& file, const PageTemplate& page, const std::string& title,
+               const nlohmann::ordered_json& json, const std::vector<PageData>& data)
+{
+  file.stream() << pageText(page, title, json, data);
   file.commit();
+}
+
+std::string answerPage(const std::string& answer)
+{
+  const Json json = Json::parse(answer);
+  return pageText(ANSWER_TEMPLATE, json.at("title").get<std::string>(), json);
 }
 
 nlohmann::ordered_json machinePart(const SceneDefinition& scene)
@@ -100,13 +115,15 @@ nlohmann::ordered_json machinePart(const SceneDefinition& scene)
     tooth.push_back({corner.s, corner.n});
   Json species = Json::array();
   for (const SpeciesDefinition& each : scene.species)
-    species.push_back({{"name", each.name}, {"radius", each.radius}});
+    species.push_back(
+        {{"name", each.name}, {"radius", each.radius}, {"mass", each.mass}, {"varies", each.size.vary()}});
   return {{"tooth", std::move(tooth)},
           {"teeth", scene.base.teeth},
           {"boundary", scalarText(scene.boundary)},
           {"wall_height", scene.boundary == Boundary::WALLED ? Json(wallHeight(scene)) : Json(nullptr)},
           {"gravity", scene.gravity},
           {"duration", scene.duration},
+          {"fed", scene.feed.any()},
           {"drive", drivePart(scene.base)},
           {"species", std::move(species)}};
 }

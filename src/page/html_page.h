@@ -19,6 +19,7 @@ struct PageTemplate
   const char* tail;  ///< from the end of the data: script
 };
 
+extern const PageTemplate ANSWER_TEMPLATE;
 extern const PageTemplate LIVE_TEMPLATE;
 extern const PageTemplate RUN_TEMPLATE;
 extern const PageTemplate SWEEP_TEMPLATE;
@@ -43,8 +44,12 @@ std::string base64(const std::string& bytes);
 /// made so.
 std::string jsonForHtml(const nlohmann::ordered_json& json);
 
-/// Writes a page, and commits its file. @param json what the script shows; texts in it are data, never markup
-/// @param data larger data, kept as base64 @throws OutputError
+/// A page as HTML. @param json what the script shows; texts in it are data, never markup
+/// @param data larger data, kept as base64
+std::string pageText(const PageTemplate& page, const std::string& title, const nlohmann::ordered_json& json,
+                     const std::vector<PageData>& data = {});
+
+/// Writes it, and commits its file. @throws OutputError
 void writePage(AtomicFile&& file, const PageTemplate& page, const std::string& title,
                const nlohmann::ordered_json& json, const std::vector<PageData>& data = {});
 

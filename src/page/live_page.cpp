@@ -51,6 +51,8 @@ Json sceneOf(const OfferedScene& offered)
 {
   const SceneDefinition& scene = offered.scene.definition;
   return {{"name", offered.name},
+          {"title", offered.title},
+          {"sentence", offered.sentence},
           {"yaml", canonicalYaml(scene)},
           {"warnings", offered.scene.warnings},
           {"definition", base64(definitionBytes(scene))},

@@ -88,6 +88,7 @@ Json binSeries(const RunResult& result)
     series["time"].push_back(frame.time);
     series["quality"].push_back(frame.quality);
     series["processed"].push_back(frame.processed);
+    series["separation"].push_back(frame.separation);
     for (std::size_t i = 0; i < frame.bins.size(); ++i)
     {
       Json& of_species = series["species"][i];
@@ -132,9 +133,13 @@ std::string commandText(const CommandFrame& command, const SceneDefinition& scen
       return text;
     }
     case CommandKind::POUR:
-      return fmt::format("pour {} of {}", countText(command.count, "disk"),
-                         command.species < scene.species.size() ? scene.species[command.species].name
-                                                                : "an unknown species");
+    {
+      const auto between = pouredBetween(command);
+      return fmt::format(
+          "pour {} of {}{}", countText(command.count, "disk"),
+          command.species < scene.species.size() ? scene.species[command.species].name : "an unknown species",
+          between ? fmt::format(" between {:.6g} and {:.6g} m", between->from, between->to) : "");
+    }
     case CommandKind::PAUSE:
       return "pause";
     case CommandKind::UNPAUSE:
@@ -151,6 +156,21 @@ Json commandsPart(const std::vector<CommandFrame>& commands, const SceneDefiniti
   for (const CommandFrame& command : commands)
     list.push_back({{"time", command.time}, {"text", commandText(command, scene)}});
   return list;
+}
+
+/// The unit of each number and column of what was observed, by the observable's name.
+Json unitsOf(const std::vector<Observed>& all)
+{
+  Json units = Json::object();
+  for (const Observed& observed : all)
+    for (const ObservedRow& row : observed.rows)
+    {
+      for (const ObservedNumber& number : row.numbers)
+        units[observed.name][number.name] = number.unit;
+      for (const ObservedColumn& column : row.table)
+        units[observed.name][column.name] = column.unit;
+    }
+  return units;
 }
 
 std::size_t inBase64(std::size_t bytes)
@@ -184,8 +204,7 @@ void RunPage::take(const AnyFrame& any)
       commands_.push_back(*command);
 }
 
-void RunPage::write(AtomicFile&& file, const std::string& title,
-                    const std::vector<std::string>& warnings) const
+void RunPage::write(AtomicFile&& file, const std::string& title, const Json& summary) const
 {
   const RunResult result = analysis_.result();
   const SceneDefinition& scene = scene_.definition;
@@ -196,12 +215,15 @@ void RunPage::write(AtomicFile&& file, const std::string& title,
                    {"seed", result.scene_frame.seed},
                    {"version", result.scene_frame.version}};
   json["plan"] = planText(planOf(scene));
-  std::vector<std::string> all_warnings = warnings;
+  json["warnings"] = summary.value("warnings", Json::array());
   for (const std::string& warning : scene_.warnings)
-    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-      all_warnings.push_back(warning);
-  json["warnings"] = all_warnings;
+    if (std::find(json["warnings"].begin(), json["warnings"].end(), warning) == json["warnings"].end())
+      json["warnings"].push_back(warning);
   json["results"] = reportJson(result);
+  json["units"] = unitsOf(result.observed);
+  for (const char* key : {"steady", "steady_reason"})
+    if (summary.contains(key))
+      json["results"][key] = summary.at(key);
   json["machine"] = machinePart(scene);
   json["commands"] = commandsPart(commands_, scene);
   json["commands_taken"] = commands_taken_;

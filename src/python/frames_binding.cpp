@@ -11,6 +11,7 @@
 #include <pybind11/stl.h>
 
 #include "bindings.h"
+#include "ratchet_sieve/page/answer_page.h"
 #include "ratchet_sieve/page/live_page.h"
 #include "ratchet_sieve/page/run_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
@@ -76,9 +77,9 @@ void writeTrajectory(const std::string& path, const Scene& scene, const py::list
 }
 
 /// @param frames see handOver() @param others further frames of the run, as run() returns them
+/// @param summary see RunPage::write(), as JSON
 void writePageOf(const std::string& path, const std::string& title, const Scene& scene,
-                 const py::list& frames, const py::list& others, const std::vector<std::string>& warnings,
-                 double megabytes)
+                 const py::list& frames, const py::list& others, const std::string& summary, double megabytes)
 {
   const double size = BYTES_PER_MB * megabytes;
   if (!(size >= SMALLEST_PAGE && size <= LARGEST_PAGE))
@@ -91,16 +92,18 @@ void writePageOf(const std::string& path, const std::string& title, const Scene&
       page.take(other.cast<StatisticsFrame>());
     else
       page.take(other.cast<ObservedFrame>());
-  page.write(path, title, warnings);
+  page.write(path, title, nlohmann::ordered_json::parse(summary));
 }
 
-void writeLivePageOf(const std::string& path, const std::vector<std::pair<std::string, Scene>>& scenes,
+using OfferedParts = std::tuple<std::string, std::string, std::string, Scene>;
+
+void writeLivePageOf(const std::string& path, const std::vector<OfferedParts>& scenes,
                      const py::bytes& engine)
 {
   std::vector<OfferedScene> offered;
   offered.reserve(scenes.size());
-  for (const auto& [name, scene] : scenes)
-    offered.push_back({name, scene});
+  for (const auto& [name, title, sentence, scene] : scenes)
+    offered.push_back({name, title, sentence, scene});
   writeLivePage(path, offered, engine);
 }
 
@@ -126,13 +129,14 @@ void bindFrames(py::module_& module)
   bindKept<ObservedFrame>(module, "_ObservedFrame");
   module.def("write_trajectory", &writeTrajectory, py::arg("path"), py::arg("scene"), py::arg("frames"));
   module.def("write_page", &writePageOf, py::arg("path"), py::arg("title"), py::arg("scene"),
-             py::arg("frames"), py::arg("others"), py::arg("warnings"), py::arg("megabytes"));
+             py::arg("frames"), py::arg("others"), py::arg("summary"), py::arg("megabytes"));
   py::class_<NamedFile>(module, "NamedFile")
       .def(py::init(
           [](const std::string& name, const std::string& path) {
             return NamedFile{name, path};
           }));
   module.def("require_distinct", &requireDistinct, py::arg("inputs"), py::arg("outputs"));
+  module.def("answer_page", &answerPage, py::arg("answer"));
   module.def("write_live_page", &writeLivePageOf, py::arg("path"), py::arg("scenes"), py::arg("engine"));
 }
 

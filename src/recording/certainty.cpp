@@ -76,7 +76,7 @@ std::string meanShortfall(const Simulation& simulation, const Certainty& certain
   if (!ratio || !means.transient)
     return text + (empties(simulation.scene()) ? RUNS_EMPTY : "the run is too short to estimate the error");
   const std::string error =
-      *ratio <= 1.0 ? TOO_SHORT_TO_TRUST : fmt::format("+- {:.3g} m/s ", *ratio * wanted);
+      *ratio <= 1.0 ? TOO_SHORT_TO_TRUST : fmt::format("± {:.3g} m/s ", *ratio * wanted);
   const std::string found =
       error + fmt::format("over {:.3g} s, the first {:.3g} s after settle cut as transient; ", means.left,
                           *means.transient);
@@ -113,7 +113,7 @@ std::string qualityShortfall(const Simulation& simulation,
     return text + "too few disks have left to estimate the separation and its error";
   const double half_width = separation->estimate.half_width;
   return text + (half_width <= wanted ? TOO_SHORT_TO_TRUST : "") +
-         fmt::format("s = {:.3g} +- {:.2g}; ", separation->estimate.value, half_width) +
+         fmt::format("s = {:.3g} ± {:.2g}; ", separation->estimate.value, half_width) +
          qualityNeed(simulation, *separation);
 }
 

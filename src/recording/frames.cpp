@@ -180,13 +180,20 @@ std::optional<Quantity> setpointQuantity(CommandKind kind)
   return index < QUANTITIES ? std::optional(COMMANDED_QUANTITIES[index].quantity) : std::nullopt;
 }
 
+std::optional<Stretch> pouredBetween(const CommandFrame& command)
+{
+  return command.values.size() == 2 ? std::optional(Stretch{command.values[0], command.values[1]})
+                                    : std::nullopt;
+}
+
 void requireLegal(const CommandFrame& command)
 {
   const std::vector<double>& values = command.values;
   if (const auto quantity = setpointQuantity(command.kind))
   {
-    requireCount(values, 1);
-    requireWithin(values[0], describe(*quantity).legal);
+    requireCount(values, values.size() == 2 ? 2 : 1);
+    for (const double value : values)
+      requireWithin(value, describe(*quantity).legal);
   }
   if (command.kind == CommandKind::SLEW_RATES)
   {
@@ -194,20 +201,24 @@ void requireLegal(const CommandFrame& command)
     for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
       requireWithin(values[indexOf(q.quantity)], q.slew_rates);
   }
-  if (command.kind == CommandKind::POUR && command.count > MOST_POURED)
+  if (command.kind != CommandKind::POUR)
+    return;
+  if (command.count > MOST_POURED)
     throw std::invalid_argument("a command pours " + countText(command.count, "disk"));
+  if (!values.empty())
+    requireCount(values, 2);
 }
 
 void apply(const CommandFrame& command, Simulation& simulation)
 {
   if (const auto quantity = setpointQuantity(command.kind))
-    return simulation.command(*quantity, command.values[0]);
+    return simulation.command(*quantity, command.values.back());
   switch (command.kind)
   {
     case CommandKind::SLEW_RATES:
       return simulation.setSlewRates(slewRatesOf(command.values));
     case CommandKind::POUR:
-      return simulation.pour(command.species, command.count);
+      return simulation.pour(command.species, command.count, pouredBetween(command));
     default:
       return;
   }

@@ -81,7 +81,7 @@ std::string resultText(const Json& value, const Json& half_width, bool with_sign
   if (value.is_null())
     return "not defined";
   const std::string text = fmt::format(with_sign ? "{:+.3g}" : "{:.4g}", value.get<double>());
-  return half_width.is_null() ? text : text + fmt::format(" +- {:.2g}", half_width.get<double>());
+  return half_width.is_null() ? text : text + fmt::format(" ± {:.2g}", half_width.get<double>());
 }
 
 /// Whether a result of the last run depends on the floor; its error is known.

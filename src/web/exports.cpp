@@ -147,9 +147,10 @@ EXPORT(slew) void slew(double inclination, double frequency, double amplitude)
   simulation->setSlewRates(rates);
 }
 
-EXPORT(pour) void pour(std::size_t species, std::size_t count)
+/// @param from, to the stretch [m]; not a number: that of the scene's pour
+EXPORT(pour) void pour(std::size_t species, std::size_t count, double from, double to)
 {
-  simulation->pour(species, count);
+  simulation->pour(species, count, from == from ? std::optional(Stretch{from, to}) : std::nullopt);
 }
 
 /// Reads the state into the readings and the disks.

@@ -16,6 +16,12 @@ class Session {
     this.givePending();
   }
 
+  /** Gives a command at the next whole millisecond, for which a link has few digits. */
+  orderSoon(order) {
+    this.advance(Math.ceil(this.time * 1e3) / 1e3);
+    this.order(order);
+  }
+
   /** Gives a command now. */
   order(order) {
     this.engine.order(order);
@@ -30,12 +36,14 @@ class Session {
   advance(to, budget = Infinity) {
     const begin = performance.now();
     for (let before = begin; this.time < to && before - begin < budget;) {
-      const next = Math.min(to, this.time + this.stride, this.pending.length ? this.pending[0][0] : Infinity);
+      const full = this.time + this.stride;
+      const next = Math.min(to, full, this.pending.length ? this.pending[0][0] : Infinity);
       this.engine.advance(next);
       this.time = next;
       this.givePending();
       const now = performance.now();
-      this.stride *= now - before < LOOK ? 1.5 : 0.5;
+      if (now - before >= LOOK) this.stride *= 0.5;
+      else if (next === full) this.stride *= 1.5;
       before = now;
     }
   }

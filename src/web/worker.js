@@ -9,7 +9,7 @@ const REQUESTS = {
     session = Object.assign(new Session(compiled, definition, settings), {run});
   },
   // There is no session where the last one could not be opened.
-  order({order}) { session?.order(order); },
+  order({order}) { session?.orderSoon(order); },
   advance({to, budget}) { session?.advance(to, budget); },
 };
 

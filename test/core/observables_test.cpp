@@ -184,24 +184,6 @@ TEST(MassFlow, IsTheMassInTheBinsSinceSettleOverTime)
   }
 }
 
-TEST(Observables, AreUndefinedWhereNothingLeft)
-{
-  SceneDefinition scene = test::mixture(10);
-  scene.base.teeth = 3;
-  scene.observe = observableNames();
-  Simulation simulation(scene);
-  simulation.advanceTo(0.5);
-  const std::vector<Observed> observed = simulation.observed();
-  for (const ObservedRow& row : test::named(observed, "residence_times").rows)
-  {
-    EXPECT_EQ(*test::numberOf(row, "count"), 0.0);
-    EXPECT_FALSE(test::numberOf(row, "mean"));
-    EXPECT_FALSE(test::numberOf(row, "median"));
-  }
-  for (const ObservedRow& row : test::named(observed, "mass_flow").rows)
-    EXPECT_EQ(*test::numberOf(row, "mean"), 0.0);
-}
-
 /// A run that begins at another time than 0, as that of a machine that is reset: nothing was seen until the
 /// end of `settle`, and nothing at that instant.
 TEST(Observables, HaveSeenNothingWhereTheirTimeHasNotBegun)

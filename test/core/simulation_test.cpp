@@ -1,6 +1,7 @@
 #include "ratchet_sieve/core/simulation.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -82,9 +83,24 @@ TEST(Simulation, ALaterPourThatIsRefusedOrCancelledChangesNothing)
   const std::string before = simulation.saveState();
   EXPECT_THROW(simulation.pour(0, MOST_DISKS - 59), std::invalid_argument);
   EXPECT_THROW(simulation.pour(0, std::size_t{1} << 63), std::invalid_argument);
-  EXPECT_THROW(simulation.pour(0, 2000, [](std::size_t poured, std::size_t /*of*/) { throw poured; }),
+  EXPECT_THROW(simulation.pour(0, 2000, {}, [](std::size_t poured, std::size_t /*of*/) { throw poured; }),
                std::size_t);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Stretch& wrong : {Stretch{-0.01, 0.1}, Stretch{0.2, 0.1}, Stretch{7.0, 8.0}, Stretch{nan, nan}})
+    EXPECT_THROW(simulation.pour(0, 1, wrong), std::invalid_argument);
   EXPECT_EQ(simulation.saveState(), before);
+}
+
+TEST(Simulation, APourBetweenTwoPlacesIsBetweenThem)
+{
+  Simulation simulation(test::mixture(0));
+  simulation.pour(1, 50, Stretch{0.1, 0.12});
+  ASSERT_EQ(simulation.activeDisks(), 50u);
+  for (const DiskState& disk : simulation.disks())
+  {
+    EXPECT_GE(disk.x, 0.1);
+    EXPECT_LE(disk.x, 0.12);
+  }
 }
 
 TEST(Simulation, DisplacementIsUnwrappedAndPlacesAreNot)
@@ -101,37 +117,6 @@ TEST(Simulation, DisplacementIsUnwrappedAndPlacesAreNot)
     farthest = std::max(farthest, disk.displacement);
   }
   EXPECT_GT(farthest, 0.5);
-}
-
-TEST(Simulation, MeanVelocityIsDisplacementOverTimeSinceSettle)
-{
-  SceneDefinition scene = test::singleParticles(30);
-  scene.settle = 2.0;
-  Simulation simulation(scene);
-  simulation.advanceTo(2.0);
-  std::vector<double> before;
-  for (const DiskState& disk : simulation.disks())
-    before.push_back(disk.displacement);
-  simulation.advanceTo(7.0);
-  double sum = 0.0;
-  for (const DiskState& disk : simulation.disks())
-    sum += disk.displacement - before[disk.id];
-  EXPECT_NEAR(*simulation.means()[0].mean_vx, sum / 30.0 / 5.0, 1e-14);
-  EXPECT_GT(*simulation.means()[0].mean_vx_stderr, 0.0);
-}
-
-TEST(Simulation, KineticMeansAreExactIntegralsOverFreeFall)
-{
-  SceneDefinition scene = test::singleParticles(1);
-  scene.species[0].count = 0;
-  scene.initial = {{0, 0.1, 5.0, 0.3, 0.0, 7.0}};
-  Simulation simulation(scene);
-  simulation.advanceTo(0.5);
-  // <v^2> = vx^2 + (g T)^2 / 3
-  EXPECT_NEAR(*simulation.means()[0].kinetic_translational,
-              0.5 * 0.001 * (0.09 + std::pow(9.81 * 0.5, 2) / 3.0), 1e-15);
-  EXPECT_NEAR(*simulation.means()[0].kinetic_rotational, 0.5 * 0.5 * 0.001 * 1e-6 * 49.0, 1e-20);
-  EXPECT_FALSE(simulation.means()[0].mean_vx_stderr);
 }
 
 std::string refusal(const SceneDefinition& scene)

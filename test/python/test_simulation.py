@@ -111,6 +111,11 @@ def test_pour_takes_a_name_or_a_number(layer):
         simulation.pour("C", 1)
     with pytest.raises(ValueError, match="no species 2"):
         simulation.pour(2, 1)
+    simulation.pour("A", 3, between=(0.1, 0.11))
+    assert ((simulation.disks["x"][-3:] >= 0.1) & (simulation.disks["x"][-3:] <= 0.11)).all()
+    for wrong in (-0.1, 0.1), (0.2, 0.1):
+        with pytest.raises(ValueError, match="between"):
+            simulation.pour("A", 1, between=wrong)
 
 
 def test_a_collapse_is_an_error_and_the_run_stays_readable(layer):

@@ -194,7 +194,7 @@ TEST(Certainty, ThatIsNotReachedIsSaidWithWhatItWouldTake)
   EXPECT_EQ(outcome.end, RunEnd::COMPLETED);
   EXPECT_EQ(simulation.time(), 20.0);
   ASSERT_EQ(outcome.warnings.size(), 1u);
-  EXPECT_EQ(outcome.warnings[0].rfind("accuracy.mean_vx = 0.001 m/s was not reached within 20 s: +- 0.0", 0),
+  EXPECT_EQ(outcome.warnings[0].rfind("accuracy.mean_vx = 0.001 m/s was not reached within 20 s: ± 0.0", 0),
             0u)
       << outcome.warnings[0];
   // The error is inversely proportional to the square root of the time.

@@ -303,6 +303,9 @@ TEST(RunControl, poursMoreOn)
   Controlled run;
   EXPECT_TRUE(run.control.pour("B", 3).success);
   EXPECT_EQ(run.seen.bins.back().bins[1].on_base, 9u);
+  EXPECT_TRUE(run.control.pour("B", 1, Stretch{0.0, 0.01}).success);
+  EXPECT_FALSE(run.control.pour("B", 1, Stretch{0.01, 0.0}).success);
+  EXPECT_EQ(run.seen.bins.back().bins[1].on_base, 10u);
   EXPECT_EQ(run.control.pour("C\n", 1).message, "species C : there is none of that name");
   EXPECT_EQ(run.control.pour("B", 4000000000).message, "count 4000000000: must be from 1 to 10000");
 }

@@ -78,10 +78,10 @@ TEST_F(FloorCheck, SaysWhatMovesByMoreThanItsErrorAndWhatDoesNot)
   const auto has = [&lines](const std::string& line)
   { return std::find(lines.begin(), lines.end(), line) != lines.end(); };
   EXPECT_TRUE(
-      has("quality changes by -0.105 +- 0.042 from 0.05 to 0.0125 m/s: it depends on "
+      has("quality changes by -0.105 ± 0.042 from 0.05 to 0.0125 m/s: it depends on "
           "contact.min_rebound_speed"));
   EXPECT_TRUE(
-      has("mean_vx.A changes by +0.001 +- 0.0057 from 0.05 to 0.0125 m/s: no significant dependence on "
+      has("mean_vx.A changes by +0.001 ± 0.0057 from 0.05 to 0.0125 m/s: no significant dependence on "
           "contact.min_rebound_speed; a change of up to 0.0067 is not excluded"));
   EXPECT_EQ(lines.size(), 7u);
   const Json failed = {{"min_rebound_speed", 0.0125}, {"error", "it stalls"}, {"warnings", Json::array()}};

@@ -78,9 +78,12 @@ public:
   void setSlewRates(const SlewRates& rates);
 
   /// Pours `count` more disks of a species at time(), at the lowest free positions.
-  /// @throws std::invalid_argument if there is no such species, if its disks are wider than the machine, or
-  /// if there would be more than MOST_DISKS in it; the state is then unchanged, also if the observer throws
-  void pour(std::size_t species, std::size_t count, const PourObserver& pour_observer = {});
+  /// @param between without it, the stretch of the scene's pour
+  /// @throws std::invalid_argument if there is no such species, if its disks are wider than the machine, if
+  /// the stretch is not on the base, or if there would be more than MOST_DISKS in it; the state is then
+  /// unchanged, also if the observer throws
+  void pour(std::size_t species, std::size_t count, const std::optional<Stretch>& between = {},
+            const PourObserver& pour_observer = {});
 
   DriveState base() const;
   std::size_t activeDisks() const;        ///< disks in the machine

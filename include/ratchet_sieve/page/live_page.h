@@ -11,7 +11,9 @@ namespace ratchet_sieve
 /// A scene that a live page offers.
 struct OfferedScene
 {
-  std::string name;
+  std::string name;      ///< in links
+  std::string title;     ///< in a few words
+  std::string sentence;  ///< what one sees; may be empty
   Scene scene;
 };
 

@@ -193,9 +193,11 @@ struct CommandFrame
 {
   double time = 0.0;
   CommandKind kind = CommandKind::PAUSE;
-  std::vector<double> values;  ///< the setpoint [rad, Hz, m]; for SLEW_RATES the three rates [unit/s]
-  std::uint32_t species = 0;   ///< of POUR
-  std::uint32_t count = 0;     ///< of POUR
+  /// The setpoint [rad, Hz, m] and, where a drive gives the base another value, this; for SLEW_RATES the three
+  /// rates [unit/s]; for POUR both ends of its stretch [m], or nothing: see pouredBetween().
+  std::vector<double> values;
+  std::uint32_t species = 0;  ///< of POUR
+  std::uint32_t count = 0;    ///< of POUR
 };
 
 RATCHET_SIEVE_FIELDS(CommandFrame)
@@ -235,6 +237,9 @@ constexpr std::uint32_t MOST_POURED = 10000;
 CommandFrame setpointCommand(Quantity quantity, double setpoint);
 
 CommandFrame slewRateCommand(const SlewRates& rates);
+
+/// The stretch of a pour command; nothing: that of the scene's pour.
+std::optional<Stretch> pouredBetween(const CommandFrame& command);
 
 /// The quantity of a setpoint command; nothing for other commands.
 std::optional<Quantity> setpointQuantity(CommandKind kind);

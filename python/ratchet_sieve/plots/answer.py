@@ -7,7 +7,8 @@ from ratchet_sieve.plots.style import COLOURS, GREY, drawing
 
 SIZE = (6.4, 4.2)  # [inches]
 SILENT = ("x", "+", "1", "2", "3", "4")  # markers of runs that give no answer
-RUNS = {"color": GREY, "markersize": 3, "alpha": 0.6}
+RUNS = {"marker": "o", "linestyle": "", "color": GREY, "markersize": 4, "markeredgecolor": "white",
+        "markeredgewidth": 0.6}
 
 
 def draw(answer, axes=None):
@@ -26,11 +27,12 @@ def draw_front(front, axes=None, color=COLOURS[0], name="front, fresh seeds"):
     """The value over the throughput: settings that were tried, by one run each, and the front with its intervals.
     @return matplotlib's axes"""
     with drawing(axes, SIZE) as axes:
-        axes.plot(front.tried.throughput, front.tried.value, ".", **{**RUNS, "color": color, "alpha": 0.3})
+        axes.plot(front.tried.throughput, front.tried.value, **{**RUNS, "color": color, "alpha": 0.3})
         axes.errorbar(front.table.throughput, front.table.value, front.table.value_half_width,
                       front.table.throughput_half_width, fmt="o-", capsize=2, color=color, label=name)
         goal = front.machine.goal
         axes.set(xlabel="throughput [disks/s]", ylabel=f"|{goal}|" if front.machine.is_signed else label(goal))
+        axes.autoscale(axis="x")
         axes.set_xlim(left=0.0)
         axes.legend()
         return axes
@@ -45,7 +47,7 @@ def _silent(axes, answer, x, y=None):
 
 
 def _best(axes, *place):
-    axes.plot(*place, "*", color="white", markeredgecolor="black", markersize=13, zorder=5, label="best")
+    axes.plot(*place, "*", color="white", markeredgecolor="black", markersize=13, zorder=5, label="best", clip_on=False)
 
 
 def _curve(axes, answer, key):
@@ -57,7 +59,7 @@ def _curve(axes, answer, key):
         axes.plot(surface[key][good], surface.value[good], color=COLOURS[1], linewidth=4, label="as good as the best")
         axes.errorbar(answer.best[key], answer.separation.value, answer.separation.half_width, color="black", fmt="*",
                       markersize=9, capsize=2, zorder=5, label="fresh seeds")
-    axes.plot(answer.runs[key], answer.seen.value, ".", label="runs", **RUNS)
+    axes.plot(answer.runs[key], answer.seen.value, label="runs", **RUNS)
     _silent(axes, answer, key)
     axes.set_ylabel(_goal(answer))
     axes.legend()
@@ -72,7 +74,7 @@ def _map(axes, answer, x, y):
     xs, ys = table.columns.to_numpy(float), table.index.to_numpy(float)
     value_map(axes, _edges(xs), _edges(ys), table.to_numpy(), _goal(answer))
     works = answer.seen.why == ""
-    axes.plot(answer.runs[x][works], answer.runs[y][works], ".", label="runs", **RUNS)
+    axes.plot(answer.runs[x][works], answer.runs[y][works], label="runs", **RUNS)
     _silent(axes, answer, x, y)
     if answer.best:
         good = answer.map.pivot(index=y, columns=x, values="as_good").to_numpy(float)
@@ -86,7 +88,7 @@ def _map(axes, answer, x, y):
 
 
 def _points(axes, answer, key, *_):
-    axes.plot(answer.runs[key], answer.seen.value, ".", label="runs", **RUNS)
+    axes.plot(answer.runs[key], answer.seen.value, label="runs", **RUNS)
     if answer.best:
         _best(axes, answer.best[key], answer.separation.value)
     axes.set_ylabel(_goal(answer))

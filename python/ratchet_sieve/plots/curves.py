@@ -6,15 +6,15 @@ from ratchet_sieve.plots.style import COLOURS, GREY
 STEPS = 10  # of a colour scale
 RAMP = "viridis"    # of curves that are ordered by a number
 SIGNED = "RdBu_r"   # of numbers with a sign: blue below zero, red above
+LAST = 0.75         # of that ramp, which can be seen on white
 MIDDLE = "#999999"  # of zero itself
 GAP = 1.12          # between labels at the curves' ends, in lines of text
 
 
 def ramp(count):
-    """So many colours in the order of a scale, up to STEPS different ones. Fewer leave out the palest."""
-    colours = matplotlib.colormaps[RAMP].resampled(STEPS)
-    last = (STEPS - 1) * (0.9 if count < STEPS else 1.0)
-    return [colours(round(last * k / max(1, count - 1))) for k in range(count)]
+    """So many colours in the order of a scale, up to STEPS different ones. The yellow ones are left out."""
+    colours = matplotlib.colormaps[RAMP].resampled(round(STEPS / LAST))
+    return [colours(round((STEPS - 1) * k / max(1, count - 1))) for k in range(count)]
 
 
 def signed_ramp(values):

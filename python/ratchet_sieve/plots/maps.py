@@ -2,6 +2,7 @@
 import math
 
 import matplotlib
+import numpy
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.patches import Patch, Rectangle
 from matplotlib.ticker import MaxNLocator
@@ -9,6 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from ratchet_sieve.plots.curves import RAMP, SIGNED, STEPS, has_signs
 from ratchet_sieve.plots.style import GREY
 
+MIDST = (0.08, 0.92)  # of a scale whose ends are nearly black
 VEIL = (1.0, 1.0, 1.0, 0.6)  # over marked cells
 
 
@@ -19,14 +21,15 @@ def shown(value):
 def colour_steps(values):
     """Colour map and norm of STEPS steps at most at round numbers; diverging around 0 where values have both signs."""
     low, high = min(values), max(values)
-    name = RAMP
+    colours = matplotlib.colormaps[RAMP if high > 0.0 else RAMP + "_r"]  # the largest ones are not the darkest
     if has_signs(values):
-        name, high = SIGNED, max(-low, high)
+        colours = ListedColormap(matplotlib.colormaps[SIGNED](numpy.linspace(*MIDST, colours.N)))
+        high = max(-low, high)
         low = -high
     levels = MaxNLocator(STEPS, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
     if len(levels) < 3:
         levels = [low - 0.5, low, low + 0.5]
-    return {"cmap": name, "norm": BoundaryNorm(levels, matplotlib.colormaps[name].N)}
+    return {"cmap": colours, "norm": BoundaryNorm(levels, colours.N)}
 
 
 def value_map(axes, x_edges, y_edges, values, label):

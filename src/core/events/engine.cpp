@@ -71,16 +71,22 @@ void Engine::advanceTo(double time)
   }
 }
 
-void Engine::pour(std::size_t species, std::size_t count, const PourObserver& observer)
+void Engine::pour(std::size_t species, std::size_t count, const Stretch& stretch,
+                  const PourObserver& observer)
 {
   if (const std::size_t present = state_.activeCount(); present > MOST_DISKS || count > MOST_DISKS - present)
     throw std::invalid_argument("a pour of " + std::to_string(count) + " onto " + std::to_string(present) +
                                 " disks: there must be at most " + std::to_string(MOST_DISKS) + " in total");
-  pour(species, count, state_.scene().pour.stretch, observer);
+  const double width = state_.scene().base.width();
+  if (!(0.0 <= stretch.from && stretch.from <= std::min(stretch.to, width)))
+    throw std::invalid_argument("a pour between " + std::to_string(stretch.from) + " and " +
+                                std::to_string(stretch.to) + " m: must be on the base, 0 to " +
+                                std::to_string(width) + " m, from left to right");
+  pourOnto(stretch, species, count, observer);
 }
 
-void Engine::pour(std::size_t species, std::size_t count, const Stretch& stretch,
-                  const PourObserver& observer, const FedDisk* own)
+void Engine::pourOnto(const Stretch& stretch, std::size_t species, std::size_t count,
+                      const PourObserver& observer, const FedDisk* own)
 {
   const SceneDefinition& scene = state_.scene();
   if (species >= scene.species.size())
@@ -188,8 +194,8 @@ void Engine::feed()
   const FeedDefinition& feed = state_.scene().feed;
   const std::uint64_t next = fed_++;
   if (next < feed.disks.size())
-    return pour(feed.disks[next].species, 1, feed.stretch, {}, &feed.disks[next]);
-  pour(drawSpecies(state_.scene().species, feed_random_), 1, feed.stretch, {});
+    return pourOnto(feed.stretch, feed.disks[next].species, 1, {}, &feed.disks[next]);
+  pourOnto(feed.stretch, drawSpecies(state_.scene().species, feed_random_), 1, {});
   drawNextFeed();
 }
 

@@ -67,7 +67,7 @@ public:
   }
 
   /// @throws std::invalid_argument, or what the observer throws; nothing is changed then
-  void pour(std::size_t species, std::size_t count, const PourObserver& observer);
+  void pour(std::size_t species, std::size_t count, const Stretch& stretch, const PourObserver& observer);
   /// @param threads 0: one per processor
   void setThreads(std::size_t threads, const StripSettings& strips = {});
   void observePeriods(PeriodObserver observer) { periods_.observe(std::move(observer), now_); }
@@ -104,8 +104,8 @@ private:
   std::optional<double> nextFeed() const;
   void feed();
   void drawNextFeed();
-  void pour(std::size_t species, std::size_t count, const Stretch& stretch, const PourObserver& observer,
-            const FedDisk* own = nullptr);
+  void pourOnto(const Stretch& stretch, std::size_t species, std::size_t count, const PourObserver& observer,
+                const FedDisk* own = nullptr);
   std::optional<double> nextEpochEnd() const { return state_.epoch().length; }
   void endEpoch();
 

@@ -14,7 +14,7 @@ namespace ratchet_sieve
 {
 
 /// The first event of each type on a disk's present flight.
-struct DiskPrediction
+struct alignas(64) DiskPrediction
 {
   PairContact pair;
   std::uint32_t partner_event_count = 0;  ///< the partner's count at the prediction
@@ -49,7 +49,7 @@ struct PairLayer
 
   SystemState& state;
   DiskCells cells;
-  std::vector<DiskPrediction> predictions;  ///< per disk
+  SlotArray<DiskPrediction> predictions;  ///< per disk
 };
 
 /// The events of colliding disks. Each disk has one event in the queue, its earliest: a pair contact, a base

@@ -8,6 +8,7 @@
 #include "model/base_motion.h"
 #include "model/disk.h"
 #include "model/motion.h"
+#include "model/slot_array.h"
 
 namespace ratchet_sieve
 {
@@ -102,7 +103,7 @@ struct FlightLine
 /// The members of the machine that a pair search reads.
 struct PairScene
 {
-  const std::vector<Disk>& disks;  ///< by slot
+  const SlotArray<Disk>& disks;  ///< by slot
   const BaseMotion& motion;
   double width;            ///< of the base [m]
   double time_resolution;  ///< times that differ by less are treated as equal [s]

@@ -80,7 +80,7 @@ public:
   /// The class of a disk; the number of classes if its species has no sizes.
   std::size_t sizeClassOf(const Disk& disk) const;
 
-  const std::vector<Disk>& disks() const { return disks_; }
+  const SlotArray<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
   double radius(std::uint32_t slot) const { return disks_[slot].radius; }
   const DiskRecord& record(std::uint32_t slot) const { return records_[slot]; }
@@ -180,8 +180,8 @@ public:
   /// What events without a collapse change of the disks, until their ThreadBuffer is merged.
   struct Snapshot
   {
-    std::vector<Disk> disks;
-    std::vector<DiskRecord> records;
+    SlotArray<Disk> disks;
+    SlotArray<DiskRecord> records;
   };
   void copyTo(Snapshot& snapshot) const
   {
@@ -252,8 +252,8 @@ private:
   Epoch epoch_;
   BaseMotion motion_;
 
-  std::vector<Disk> disks_;
-  std::vector<DiskRecord> records_;  ///< by slot, as the disks
+  SlotArray<Disk> disks_;
+  SlotArray<DiskRecord> records_;  ///< by slot, as the disks
   Eigen::Vector2d impulse_of_gone_ =
       Eigen::Vector2d::Zero();  ///< of the base to disks removed by compaction [N s]
   std::size_t active_count_ = 0;

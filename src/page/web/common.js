@@ -50,10 +50,12 @@ function bytesOf(base64) {
   return bytes;
 }
 
-async function inflated(bytes) {
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+async function through(bytes, change) {
+  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(change)).arrayBuffer());
 }
+
+const inflated = (bytes) => through(bytes, new DecompressionStream('deflate'));
+const deflated = (bytes) => through(bytes, new CompressionStream('deflate'));
 
 /**
  * Opens the page: window.ratchetSieve is what scripts in the page's console, and tests, can do with it once it is ready.
@@ -73,8 +75,10 @@ function openPage(make) {
 /** A name with a dot in its colour, or a ring as its disks are drawn. */
 function marked(name, k) {
   const mark = element('span', {class: 'mark'});
-  mark.style.border = `.17em solid ${colourOf(k)}`;
-  if (!isRepeated(k)) mark.style.background = colourOf(k);
+  const of = PALETTE[k % PALETTE.length];
+  const colour = of.startsWith('--') ? `var(${of})` : of;
+  mark.style.border = `.17em solid ${colour}`;
+  if (!isRepeated(k)) mark.style.background = colour;
   return element('span', {}, mark, name);
 }
 
@@ -98,7 +102,7 @@ function copyOnClick(button, textOf, shown) {
 }
 
 /** What is shown in place of a value that is not defined. */
-const UNDEFINED = 'undefined';
+const UNDEFINED = '\u2014';
 
 /** A value, or null, to so many significant digits, with its unit. */
 function quantity(value, unit = '', digits = 4) {
@@ -108,15 +112,41 @@ function quantity(value, unit = '', digits = 4) {
   return text.replace('-', '\u2212') + (unit ? '\u00a0' + unit : '');
 }
 
-/** Q, P and shares, to three decimals. */
+/** s, Q, P and shares, to three decimals. */
 function ratio(value) {
-  return value === null || value === undefined ? UNDEFINED : value.toFixed(3);
+  return value === null || value === undefined ? UNDEFINED : value.toFixed(3).replace('-', '\u2212');
+}
+
+/** A share. */
+function percent(share) {
+  return `${(100 * share).toFixed(0)}\u00a0%`;
+}
+
+/** A number of things. */
+function countText(count, thing) {
+  return `${count} ${thing}${count === 1 ? '' : 's'}`;
+}
+
+/** What symbols mean. */
+const MEANINGS = {
+  s: 'separation: the share of the first kind that left on the left, less that of the second',
+  Q: 'how well the kinds are sorted: 1 where each has a side of its own, 0 where both sides hold the same mixture',
+  P: 'the share of all disks that has left the machine',
+  '\u03b8': 'inclination of the base: its right end is raised where it is above 0',
+  f: 'frequency with which the base is shaken',
+  A: 'amplitude: how far the base moves up and down from its middle',
+  '\u27e8V_x\u27e9': 'mean velocity along the base, to the right',
+};
+
+/** A symbol that says what it means when one points at it. */
+function symbol(name) {
+  return element('abbr', {title: MEANINGS[name]}, name);
 }
 
 /** A value and its standard error. */
 function withError(value, error, unit, scale = 1) {
   if (value === null || value === undefined) return UNDEFINED;
-  if (error === null || error === undefined) return quantity(value * scale, unit) + ', error ' + UNDEFINED;
+  if (error === null || error === undefined) return `${quantity(value * scale)} \u00b1 ${UNDEFINED}${unit ? '\u00a0' + unit : ''}`;
   if (error === 0) return `${quantity(value * scale)} \u00b1 0${unit ? '\u00a0' + unit : ''}`;
   const decimals = Math.max(0, Math.min(12, 1 - Math.floor(Math.log10(Math.max(error * scale, 1e-12)))));
   return `${(value * scale).toFixed(decimals)} \u00b1 ${(error * scale).toFixed(decimals)}${unit ? '\u00a0' + unit : ''}`.replace('-', '\u2212');
@@ -138,11 +168,15 @@ function lastNotAbove(numbers, value) {
   return from - 1;
 }
 
-/** Okabe and Ito's colours, which colour-blind readers can tell apart; as in the other pictures and in RViz. */
-const PALETTE = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9'];
+/**
+ * Okabe and Ito's colours, which colour-blind readers can tell apart; as in the other pictures and in RViz. The first is
+ * lighter in the dark.
+ */
+const PALETTE = ['--first-kind', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9'];
 
 function colourOf(k) {
-  return PALETTE[k % PALETTE.length];
+  const colour = PALETTE[k % PALETTE.length];
+  return colour.startsWith('--') ? themeColour(colour) : colour;
 }
 
 /** Whether k has the colour of an earlier one: its disks are hollow, and its lines dotted. */

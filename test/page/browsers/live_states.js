@@ -12,6 +12,7 @@ function scheduleOf({quantities, machine})
 {
   return [[0, 'command', 0, quantities[0].value + 0.1], [0.123, 'slew', 0.2, 30, 0.01],
     [0.123, 'command', 1, 1.2 * quantities[1].value], [0.4, 'pour', machine.species.length - 1, 7],
+    [0.4, 'pour', 0, 3, 0.01, 0.012],
     [0.777, 'command', 2, 1.1 * quantities[2].value], [1.1, 'command', 0, quantities[0].value - 0.05]];
 }
 

@@ -4,7 +4,7 @@ import {describe, it} from 'node:test';
 import {HOSTILE, RUNS, factsOf, openStill, seek} from './support/pages.js';
 import {useBrowser} from './support/browser.js';
 
-const UNDEFINED = 'undefined';
+const UNDEFINED = '\u2014';
 
 function textOf(page, id)
 {

@@ -1,34 +1,47 @@
 /** The run as others can repeat it: settings in a link, and a program. */
 
-/** Of a command: how many numbers follow its name, and how many of them are whole. See Engine.order(). */
-const NUMBERS_OF = {command: [2, 1], slew: [3, 0], pour: [2, 2]};
+/** Of a command: its letter in a link, how many numbers may follow its name, and how many of them are whole. See Engine.order(). */
+const COMMANDS = {command: {letter: 'c', counts: [2], whole: 1}, slew: {letter: 's', counts: [3], whole: 0},
+  pour: {letter: 'p', counts: [2, 4], whole: 2}};
+const MARK = '#run=';   // before the settings of a link
+const PER_SECOND = 1e3;  // commands are given at whole milliseconds: src/web/session.js
 
 function isCommand([name, ...values]) {
-  if (!Object.hasOwn(NUMBERS_OF, name)) return false;
-  const [count, whole] = NUMBERS_OF[name];
-  return values.length === count &&
+  if (!Object.hasOwn(COMMANDS, name)) return false;
+  const {counts, whole} = COMMANDS[name];
+  return counts.includes(values.length) &&
     values.every((value, k) => k < whole ? Number.isSafeInteger(value) : Number.isFinite(value));
 }
 
 /**
- * The settings that a link's fragment holds; null: none. A program is made of them: they are to be numbers.
- * @throws {Error} of what is no such link
+ * The settings that a link's fragment holds; null: it is none of this page's. A program is made of them: they are to be
+ * numbers. @throws {Error} of what is no such link
  */
-function settingsOfLink(fragment, scenes) {
-  if (fragment.length < 2) return null;
-  const settings = JSON.parse(decodeURIComponent(fragment.slice(1)));
-  const offered = scenes.find((scene) => scene.name === settings.scene);
-  if (!offered) throw new Error(`there is no scene ${settings.scene} in this page`);
-  const isTime = (time, k, times) => Number.isFinite(time) && time >= (k ? times[k - 1] : 0);
-  const {seed, feedRate, schedule} = settings;
-  if (!Number.isSafeInteger(seed) || seed < 0 || !Number.isFinite(feedRate) || !Array.isArray(schedule) ||
-      !schedule.map(([time]) => time).every(isTime) || !schedule.every(([, ...order]) => isCommand(order)))
+async function settingsOfLink(fragment, scenes) {
+  if (!fragment.startsWith(MARK)) return null;
+  const bytes = bytesOf(fragment.slice(MARK.length).replaceAll('-', '+').replaceAll('_', '/'));
+  const [name, seed, feedRate, rows] = JSON.parse(new TextDecoder().decode(await inflated(bytes)));
+  const offered = scenes.find((scene) => scene.name === name);
+  if (!offered) throw new Error(`there is no scene ${name} in this page`);
+  let at = 0;
+  const schedule = rows.map(([wait, letter, ...values]) => [(at += wait) / PER_SECOND,
+    Object.keys(COMMANDS).find((each) => COMMANDS[each].letter === letter), ...values]);
+  if (!Number.isSafeInteger(seed) || seed < 0 || !Number.isFinite(feedRate) ||
+      !rows.every(([wait]) => Number.isSafeInteger(wait) && wait >= 0) || !schedule.every(([, ...order]) => isCommand(order)))
     throw new Error('seed, feed or commands are not as this page writes them');
   return {offered, seed, feedRate, schedule};
 }
 
-function fragmentOf({offered, seed, feedRate}, schedule) {
-  return '#' + encodeURIComponent(JSON.stringify({scene: offered.name, seed, feedRate, schedule}));
+async function fragmentOf({offered, seed, feedRate}, schedule) {
+  let last = 0;
+  const rows = schedule.map(([time, name, ...values]) => {
+    const at = Math.round(time * PER_SECOND);
+    const wait = at - last;
+    last = at;
+    return [wait, COMMANDS[name].letter, ...values];
+  });
+  const bytes = await deflated(new TextEncoder().encode(JSON.stringify([offered.name, seed, feedRate, rows])));
+  return MARK + btoa(String.fromCharCode(...bytes)).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 }
 
 /** A command as a line of Python. @param {Array} order see Engine.order() */
@@ -37,7 +50,10 @@ function pythonOf([name, ...values], offered) {
     case 'command': return `simulation.command(${offered.quantities[values[0]].name}=${values[1]})`;
     case 'slew':
       return `simulation.set_slew_rates(${offered.quantities.map((each, k) => `${each.name}=${values[k]}`).join(', ')})`;
-    default: return `simulation.pour(${values.join(', ')})`;
+    default: {
+      const [species, count, ...between] = values;
+      return `simulation.pour(${species}, ${count}${between.length ? `, between=(${between.join(', ')})` : ''})`;
+    }
   }
 }
 

@@ -1,22 +1,28 @@
 const CURVES_PERIOD = 300;    // between two drawings of the curves [ms]
-const SETPOINT_PERIOD = 100;  // between two commands while a slider moves [ms]
 const STEP = 1 / 32;          // of the drive's period
 const STEP_AT_REST = 1e-3;    // [s]
+const HANDFUL = 4;            // width of a stretch that is poured onto [largest diameters]
+const PER_METRE = 1e4;        // ends of such a stretch: a link has few digits for them
 
 /** A machine that runs in the page. */
 class LivePage extends MachinePage {
   constructor({version, scenes}) {
-    super(new LivePlayer((answer) => this.take(answer)), CURVES_PERIOD);
+    super(new LivePlayer(() => this.engine.waiting.length > 0 || this.beside.isBusy), CURVES_PERIOD);
     this.version = version;
     this.scenes = scenes;
     this.panel = new Panel(this);
-    this.run = 0;      // the number of the run that was asked for last
+    this.beside = new Beside(this);
+    this.advice = new Advice(this);
+    this.asked = 0;    // the number of the run that was asked for last
     this.begun = 0;    // and of the one that is shown
-    byId('title').textContent = document.title;
     this.showPlayer();
     addEventListener('hashchange', () => {
-      if (location.hash && location.hash !== this.linked) this.openLink(location.hash);
+      if (location.hash.startsWith(MARK) && location.hash !== this.linked) this.openLink(location.hash);
     });
+  }
+
+  async start() {
+    this.engine = this.player.engine = await EngineWorker.compiled((answer) => this.take(answer));
   }
 
   /**
@@ -27,11 +33,12 @@ class LivePage extends MachinePage {
   open(settings) {
     this.settings = settings;
     this.error = null;
-    ++this.run;
+    ++this.asked;
+    this.advice.say('');
     this.panel.showSettings(settings);
-    const {seed, feedRate, schedule} = settings;
-    return this.player.ask('open', {run: this.run, definition: bytesOf(settings.offered.definition),
-      settings: {seed, feedRate, schedule}});
+    this.beside.offer(settings);
+    this.beside.open(settings, this.asked);
+    return this.engine.open(settings, this.asked);
   }
 
   openScene(name) {
@@ -39,11 +46,11 @@ class LivePage extends MachinePage {
     return this.open({offered, seed: offered.seed, feedRate: offered.feed_rate, schedule: []});
   }
 
-  /** Opens the run of a link's fragment; of an empty one, the first scene. Of one that cannot be opened it says why. */
+  /** Opens the run of a link's fragment; of another one, the first scene. Of one that cannot be opened it says why. */
   async openLink(fragment) {
     let error;
     try {
-      const settings = settingsOfLink(fragment, this.scenes);
+      const settings = await settingsOfLink(fragment, this.scenes);
       await (settings ? this.open(settings) : this.openScene(this.scenes[0].name));
       error = this.error;
     } catch (thrown) {
@@ -56,61 +63,83 @@ class LivePage extends MachinePage {
     this.show();
   }
 
+  /** Pours anew, with the setpoints that the run has now. */
   restart(change = {}) {
-    return this.open({...this.settings, schedule: [], ...change});
+    return this.open({...this.settings, schedule: this.panel.commands(), ...change});
   }
 
   step() {
     this.player.pause();
-    const frequency = this.readings?.base.frequency;
-    return this.player.ask('advance', {to: this.player.time + (frequency > 0 ? STEP / frequency : STEP_AT_REST)});
+    const frequency = this.run?.readings.base.frequency;
+    return this.engine.ask('advance', {to: this.player.time + (frequency > 0 ? STEP / frequency : STEP_AT_REST)});
+  }
+
+  async order(order) {
+    await this.engine.ask('order', {order});
+    this.fit();
+  }
+
+  /** A handful of disks onto the place of the base that is below a point. */
+  drop(x, y) {
+    const {base} = this.run;
+    const half = HANDFUL * Math.max(...base.machine.species.map(({radius}) => radius));
+    const [s] = Base.seenFrom(base.poseAt(), x, y);
+    if (s < 0 || s > base.width) return;
+    this.panel.pour(...[s - half, s + half].map((end) => Math.round(Math.min(base.width, Math.max(0, end)) * PER_METRE) / PER_METRE));
   }
 
   /** What the worker answers. */
-  take({run, error, readings, disks, schedule}) {
-    if (error && (run === undefined || run === this.run)) {
+  take(answer) {
+    const {run, error, readings, disks, schedule} = answer;
+    if (error && (run === undefined || run === this.asked)) {
       this.error = error;
       this.player.pause();
     }
-    if (run !== this.run) return this.panel.say(this.error, null);
-    this.readings = readings;
+    if (run !== this.asked) return this.panel.say(this.error, null);
+    this.player.time = answer.time;
     this.schedule = schedule;
     if (this.begun !== run) this.begin(readings, disks);
-    else {
-      this.base.set(readings.base);
-      this.motion.set(readings.time, disks, this.picture.followed);
-      this.records.add(readings);
-    }
-    this.show();
+    else this.run.take(readings, disks, this.picture.followed);
+    this.beside.follow(answer);
+    return this.show();
   }
 
   /** The first state of a run. */
   begin(readings, disks) {
     const {machine} = this.settings.offered;
-    this.begun = this.run;
-    this.base = new LiveBase(machine, readings.base);
-    this.motion = new LiveMotion(this.base);
-    this.motion.set(readings.time, disks, null);
-    this.records = new Records(machine.species);
-    this.records.add(readings);
-    this.bins = new BinSeries(this.records.bins, machine.boundary);
-    byId('follow').value = byId('followed').value = '';
+    this.begun = this.asked;
+    const run = this.run = new LiveRun(machine, readings, disks);
+    if (this.controls) byId('follow').value = byId('followed').value = '';
     if (this.curves) this.curves.all('remove');
-    this.showMachine(this.base, this.motion, this.bins, new Curves(byId('curves'), {machine}, this.records, [0, 1],
+    this.showMachine(run.base, run.motion, run.bins, new Curves(byId('curves'), {machine}, run.records, [0, 1],
       machine.boundary !== 'periodic', () => {}, () => this.player.time));
+    this.controls.onClick = (x, y) => this.drop(x, y);
   }
 
-  /** The base tilts: the picture is to hold it. */
+  /** The base tilts, or the panel folds: the picture is to hold the machine. */
   fit() {
+    if (!this.picture) return;
     this.picture.fit();
+    this.resize();
     this.show();
+  }
+
+  insets() {
+    const [stage, panel, header] = [byId('stage'), byId('panel'), byId('title').parentElement].map((part) => part.getBoundingClientRect());
+    const isBeside = getComputedStyle(byId('panel')).position === 'absolute' && byId('panel').open;
+    return {left: 0, top: header.bottom - stage.top, right: isBeside ? stage.right - panel.left : 0, bottom: 0};
+  }
+
+  resultText() {
+    return this.player.time > 0 || this.player.playing ? super.resultText() : 'press Play';
   }
 
   show() {
     super.show();
-    if (!this.readings) return;
-    this.panel.show(this.readings, this.schedule, this.motion.ids.length, this.player.factor);
-    this.panel.say(this.error, this.readings);
+    if (!this.run) return;
+    this.panel.show(this.run.readings, this.schedule, this.run.motion.ids.length, this.player.factor);
+    this.panel.say(this.error, this.run.readings);
+    this.beside.draw();
     if (!this.player.playing) this.showProgram();
   }
 
@@ -120,15 +149,15 @@ class LivePage extends MachinePage {
   }
 
   showProgram() {
-    if (this.readings) byId('python').textContent = this.program();
+    if (this.run) byId('python').textContent = this.program();
   }
 
   program() {
-    return programOf(this.settings, this.schedule, this.readings.time);
+    return programOf(this.settings, this.schedule, this.run.readings.time);
   }
 
-  link() {
-    location.hash = fragmentOf(this.settings, this.schedule);
+  async link() {
+    location.hash = await fragmentOf(this.settings, this.schedule);
     this.linked = location.hash;
     return location.href;
   }
@@ -146,21 +175,23 @@ class LivePage extends MachinePage {
 openPage(async () => {
   const page = new LivePage(JSON.parse(byId('data').textContent));
   const {player} = page;
-  await player.ask('compile', {engine: await inflated(bytesOf(byId('engine').textContent))});
+  await page.start();
   byId('content').hidden = false;
   await page.openLink(location.hash);
   if (!page.error && !matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
   return [page.scripting(), {
-    get readings() { return page.readings; },
+    get readings() { return page.run.readings; },
     get schedule() { return page.schedule; },
     /** A whole run. @return {Promise<{readings: Object, disks: Float64Array}>} the state at a time */
     async stateAt(name, time, settings) {
       player.pause();
       const offered = page.scenes.find((scene) => scene.name === name);
       await page.open({offered, seed: offered.seed, feedRate: offered.feed_rate, schedule: [], ...settings});
-      return player.ask('advance', {to: time});
+      return page.engine.ask('advance', {to: time});
     },
     program: () => page.program(),
     link: () => page.link(),
+    /** The run beside, or null. */
+    get beside() { return page.beside.picture && page.beside.shown.readings; },
   }];
 });

@@ -1,31 +1,22 @@
-const SYMBOLS = {inclination: '\u03b8', frequency: 'f', amplitude: 'A'};
-const SCALES = {m: [1e3, 'mm']};  // in which a setpoint is shown
-
-/** A setpoint as it is shown. */
-function setpointText(value, unit) {
-  const [scale, shown] = SCALES[unit] || [1, unit];
-  return quantity(value * scale, shown);
-}
-
-/** A power of ten that divides a range into 1000 steps or more. */
-function stepOf(range) {
-  return 10 ** (Math.floor(Math.log10(range)) - 3);
-}
-
 /** What the user sets and reads beside the picture. */
 class Panel {
   constructor(page) {
     this.page = page;
-    byId('scene-name').append(...page.scenes.map((scene) => element('option', {}, scene.name)));
+    listValues([['separation', 's', 'separation'], ['disks', '', 'disks'], ['events', '', 'events']]);
+    byId('scene-name').append(...page.scenes.map(({name, title}) => element('option', {value: name}, title)));
+    byId('about').textContent = `The engine of ratchet_sieve ${page.version} runs in this page, as in the programs: ` +
+      'the same scene, seed and commands give the same bits.';
     const on = (id, event, action) => byId(id).addEventListener(event, action);
     on('scene-name', 'change', () => page.openScene(byId('scene-name').value));
     on('restart', 'click', () => page.restart(this.asked()));
     on('another', 'click', () => page.restart({...this.asked(), seed: page.settings.seed + 1}));
+    on('own', 'click', () => page.restart({...this.asked(), schedule: []}));
     for (const id of ['seed', 'feed-rate']) on(id, 'change', () => page.restart(this.asked()));
     on('step', 'click', () => page.step());
     on('pour', 'click', () => this.pour());
-    copyOnClick(byId('copy-link'), () => {
-      byId('link').textContent = page.link();
+    on('panel', 'toggle', () => page.fit());
+    copyOnClick(byId('copy-link'), async () => {
+      byId('link').textContent = await page.link();
       return byId('link').textContent;
     }, byId('link'));
     copyOnClick(byId('copy-python'), () => {
@@ -35,6 +26,7 @@ class Panel {
     }, byId('python'));
     on('program', 'toggle', () => page.showProgram());
     byId('copy-link').hidden = location.protocol === 'about:';  // in a notebook
+    byId('panel').open = innerWidth > 800 || innerHeight > innerWidth;
   }
 
   /** Seed and feed as they stand in their fields, where they are legal. */
@@ -43,9 +35,10 @@ class Panel {
     return {...seed[0] ? {seed: seed[1]} : {}, ...this.page.settings.feedRate > 0 && feedRate[0] ? {feedRate: feedRate[1]} : {}};
   }
 
-  pour() {
+  /** @param {...number} between ends of a stretch of the base [m]; without them, the scene's */
+  pour(...between) {
     if (byId('pour-count').reportValidity())
-      this.page.player.ask('order', {order: ['pour', byId('pour-species').selectedIndex, Number(byId('pour-count').value)]});
+      this.page.order(['pour', byId('pour-species').selectedIndex, Number(byId('pour-count').value), ...between]);
   }
 
   showSettings({offered, seed, feedRate}) {
@@ -53,67 +46,45 @@ class Panel {
     byId('seed').value = String(seed);
     byId('feed').hidden = !(offered.feed_rate > 0);
     byId('feed-rate').value = String(feedRate || 1);
+    byId('advice').hidden = offered.machine.boundary !== 'open' || offered.machine.species.length !== 2;
+    if (this.offered === offered) return;
+    this.offered = offered;
+    byId('title').textContent = offered.title;
+    byId('origin').textContent = [offered.sentence, ...offered.warnings].join(' ');
     byId('pour-species').replaceChildren(...offered.machine.species.map((species) => element('option', {}, species.name)));
-    byId('origin').textContent = `The engine of ratchet_sieve ${this.page.version} runs in this page. ${offered.warnings.join(' ')}`;
-    this.firstSlews = offered.quantities.map((each) => each.slew_rate);
-    this.sliders = offered.quantities.map((each, k) => this.sliderOf(each, k));
-    byId('setpoints').replaceChildren(...this.sliders.map((slider) => slider.label));
+    this.sliders = offered.quantities.map((each, k) =>
+      new Slider('set-', each, (value) => this.page.order(['command', k, value])));
+    byId('setpoints').replaceChildren(...this.sliders.map(({part}) => part));
+    this.rates = offered.quantities.map(({name, slowest, fastest}) =>
+      element('input', {type: 'number', min: slowest, max: fastest, step: 'any', 'aria-label': `slew rate of the ${name}`}));
+    byId('slews').replaceChildren(...this.rates.map((rate, k) => {
+      rate.addEventListener('change', () => {
+        if (rate.reportValidity()) this.page.order(['slew', ...this.slews.map((each, i) => i === k ? Number(rate.value) : each)]);
+      });
+      return element('label', {}, `slew rate ${SYMBOLS[offered.quantities[k].name]} `, rate, ` ${offered.quantities[k].unit}/s`);
+    }));
   }
 
-  /**
-   * A slider and its slew rate. While it moves it gives a command now and then, and the last value for certain. Else it
-   * follows the setpoint, which the commands of a link change too.
-   */
-  sliderOf({name, unit, min, max, slew_rate: slew, slowest, fastest}, k) {
-    const input = element('input', {type: 'range', id: 'set-' + name, min, max, step: stepOf(max - min)});
-    const output = element('output', {for: 'set-' + name});
-    const rate = element('input', {type: 'number', min: slowest, max: fastest, step: 'any', value: slew});
-    let given = null;
-    let givenAt = 0;
-    let unanswered = 0;
-    const showValue = (value) => {
-      output.textContent = setpointText(value, unit);
-      input.setAttribute('aria-valuetext', output.textContent);
-    };
-    const give = async () => {
-      [given, givenAt] = [Number(input.value), performance.now()];
-      ++unanswered;
-      await this.page.player.ask('order', {order: ['command', k, given]});
-      --unanswered;
-      this.page.fit();
-    };
-    input.addEventListener('input', () => {
-      showValue(Number(input.value));
-      if (performance.now() - givenAt > SETPOINT_PERIOD) give();
-    });
-    input.addEventListener('change', () => {
-      if (Number(input.value) !== given) give();
-    });
-    rate.addEventListener('change', () => {
-      if (!rate.reportValidity()) return;
-      const slews = this.slews.map((each, i) => i === k ? Number(rate.value) : each);
-      this.page.player.ask('order', {order: ['slew', ...slews]});
-    });
-    const show = (setpoint, slewRate) => {
-      if (document.activeElement !== rate) rate.value = String(slewRate);
-      if (unanswered || setpoint === given) return;
-      given = setpoint;
-      input.value = String(setpoint);
-      showValue(setpoint);
-    };
-    const label = element('div', {class: 'setpoint'}, element('label', {for: 'set-' + name}, `${name} ${SYMBOLS[name]}`), input, output,
-      element('label', {class: 'slew'}, 'slew rate ', rate, ` ${unit}/s`));
-    return {label, name, show};
+  /** The setpoints and slew rates as they are, as commands at the start of another run. */
+  commands() {
+    const {quantities} = this.offered;
+    const {base} = this.page.run.readings;
+    const slews = quantities.some(({slew_rate: own}, k) => own !== this.slews[k]) ? [[0, 'slew', ...this.slews]] : [];
+    return [...slews, ...quantities.map(({name, value}, k) => [value, [0, 'command', k, base['commanded_' + name]]])
+      .filter(([own, [, , , now]]) => own !== now).map(([, command]) => command)];
   }
 
   show({events, separation, base}, schedule, disks, factor) {
     const [, , ...slews] = schedule.filter(([, name]) => name === 'slew').pop() || [];
-    this.slews = slews.length ? slews : this.firstSlews;
-    this.sliders.forEach(({name, show}, k) => show(base['commanded_' + name], this.slews[k]));
-    byId('separation').value = ratio(separation).replace('-', '\u2212');
+    this.slews = slews.length ? slews : this.offered.quantities.map((each) => each.slew_rate);
+    this.sliders.forEach((slider, k) => slider.show(base['commanded_' + this.offered.quantities[k].name]));
+    this.rates.forEach((rate, k) => {
+      if (document.activeElement !== rate) rate.value = String(this.slews[k]);
+    });
+    byId('separation').value = ratio(separation);
     byId('disks').value = String(disks);
     byId('events').value = quantity(events, '', 6);
-    byId('factor').value = factor === null ? '' : quantity(factor, '\u00d7 real time', 3);
+    byId('factor').value = factor === null ? '' : quantity(factor, '\u00d7 real time', 2);
   }
 
   /** An error, which is read out, and what is wrong with the run. */

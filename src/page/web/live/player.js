@@ -2,29 +2,47 @@ const MOST = 'most';        // the speed that is as fast as the engine goes
 const BUDGET = 30;          // of a request, so that the picture goes on where the engine is slower than real time [ms]
 const FACTOR_TIME = 0.5;    // over which the speed that is reached is measured [s]
 
-/** Runs the engine in a worker, and asks it for a picture at each frame of the browser. */
-class LivePlayer extends Player {
-  /** @param {function(Object)} onAnswer called with each answer of the worker */
-  constructor(onAnswer) {
-    super([...SPEEDS, MOST], 'as fast as it goes');
-    this.onAnswer = onAnswer;
-    this.worker = new Worker(URL.createObjectURL(new Blob([byId('worker').textContent], {type: 'text/javascript'})));
-    this.worker.onmessage = ({data}) => this.answered(data);
+/** The engine in a worker: src/web/worker.js. */
+class EngineWorker {
+  /** @param {function(Object)} onAnswer called with each answer */
+  constructor(onAnswer = () => {}) {
+    const address = URL.createObjectURL(new Blob([byId('worker').textContent], {type: 'text/javascript'}));
+    this.worker = new Worker(address);
+    URL.revokeObjectURL(address);
     this.waiting = [];
-    this.factor = null;
+    this.worker.onmessage = ({data}) => {
+      const resolve = this.waiting.shift();
+      onAnswer(data);
+      resolve(data);
+    };
   }
 
-  /** Asks the worker. @return {Promise<Object>} its answer */
+  /** A worker that has compiled the engine of this page. */
+  static async compiled(onAnswer) {
+    const worker = new EngineWorker(onAnswer);
+    await worker.ask('compile', {engine: await inflated(bytesOf(byId('engine').textContent))});
+    return worker;
+  }
+
+  /** @return {Promise<Object>} its answer */
   ask(request, more = {}) {
     this.worker.postMessage({request, ...more});
     return new Promise((resolve) => this.waiting.push(resolve));
   }
 
-  answered(answer) {
-    const resolve = this.waiting.shift();
-    if (answer.time !== undefined) this.time = answer.time;
-    this.onAnswer(answer);
-    resolve(answer);
+  /** Pours a scene. @param {{offered: Object, seed: number, feedRate: number, schedule: Array}} settings see Session */
+  open({offered, seed, feedRate, schedule}, run) {
+    return this.ask('open', {run, definition: bytesOf(offered.definition), settings: {seed, feedRate, schedule}});
+  }
+}
+
+/** Asks the engine for a picture at each frame of the browser. */
+class LivePlayer extends Player {
+  /** @param {function(): boolean} isBusy whether the engine, or one beside it, still works */
+  constructor(isBusy) {
+    super([...SPEEDS, MOST], 'fastest');
+    this.isBusy = isBusy;
+    this.factor = null;
   }
 
   play() {
@@ -42,9 +60,9 @@ class LivePlayer extends Player {
         this.factor = isNew ? null : (this.time - measured.time) / (now - measured.wall) * 1000;
         [measured.wall, measured.time] = [now, this.time];
       }
-      if (this.waiting.length) return;
+      if (this.isBusy()) return;
       const elapsed = this.elapsedTo(now);
-      this.ask('advance', {to: this.speed === MOST ? Infinity : this.time + this.speed * elapsed, budget: BUDGET});
+      this.engine.ask('advance', {to: this.speed === MOST ? Infinity : this.time + this.speed * elapsed, budget: BUDGET});
     };
     requestAnimationFrame(step);
   }

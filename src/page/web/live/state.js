@@ -1,6 +1,5 @@
 const RECORD_EVERY = 0.1;  // at first, of the curves' rows [s]
 const MOST_RECORDS = 2000;  // of rows: then every other one is dropped
-const HEADROOM = 0.1;       // of the picture above the base, at least [widths of the base]
 
 /** The base as the engine has it. */
 class LiveBase extends Base {
@@ -62,13 +61,9 @@ class LiveMotion {
     return this.trail.filter(([, , time]) => from <= time && time <= to);
   }
 
-  /** A height above all disks, also once the base has its commanded inclination. */
+  /** As high as the picture goes. */
   top() {
-    const [applied, commanded] = this.base.states.inclination;
-    const {width, highest} = this.base;
-    const rise = width * Math.max(0, Math.sin(commanded) - Math.sin(applied));
-    const base = width * (HEADROOM + Math.max(0, Math.sin(applied))) + highest;
-    return rise + this.y.reduce((top, y, track) => Math.max(top, y + this.radii[track]), base);
+    return Infinity;
   }
 }
 
@@ -98,5 +93,24 @@ class Records {
   thin() {
     this.every *= 2;
     for (const {cells} of this.columns) cells.splice(0, Infinity, ...cells.filter((_, k) => k % 2 === 0 || k === cells.length - 1));
+  }
+}
+
+/** What is known of a run that goes on. */
+class LiveRun {
+  /** @param {Object} machine @param {Object} readings and @param {Float64Array} disks of its first state */
+  constructor(machine, readings, disks) {
+    this.base = new LiveBase(machine, readings.base);
+    this.motion = new LiveMotion(this.base);
+    this.records = new Records(machine.species);
+    this.take(readings, disks, null);
+    this.bins = new BinSeries(this.records.bins, machine.boundary);
+  }
+
+  take(readings, disks, followed) {
+    this.readings = readings;
+    this.base.set(readings.base);
+    this.motion.set(readings.time, disks, followed);
+    this.records.add(readings);
   }
 }

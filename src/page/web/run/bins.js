@@ -11,7 +11,7 @@ class BinSeries {
   /** The value of a column, of a species or of the whole machine, that holds at a time; null before the first. */
   at(time, name, columns = this.bins) {
     const row = lastNotAbove(this.bins.time, time);
-    return row < 0 ? null : columns[name][row];
+    return row < 0 ? null : columns[name]?.[row] ?? null;
   }
 
   /** Disks of a species in one of left, right, on_base. */
@@ -22,6 +22,15 @@ class BinSeries {
   /** All disks in a bin. */
   total(bin, time) {
     return this.bins.species.reduce((sum, species) => sum + this.at(time, bin, species), 0);
+  }
+
+  /** What a bin holds, in two lines: how many disks, and the share of the kind that most are of. */
+  labelOf(bin, time, species) {
+    const total = this.total(bin, time);
+    if (!total) return [{text: '0', species: null}];
+    const most = species.map((_, k) => this.count(k, bin, time)).reduce((best, count, k, all) => count > all[best] ? k : best, 0);
+    return [{text: countText(total, 'disk'), species: null},
+      {text: `${percent(this.count(most, bin, time) / total)} ${species[most].name}`, species: most}];
   }
 
   /** The species of the disks in a bin at the end, in the order in which they came. @param {string} bin left or right */
@@ -35,37 +44,75 @@ class BinSeries {
   }
 }
 
+/** A kind with its size and mass. */
+function kindOf({name, radius, mass, varies}, k) {
+  const about = varies ? 'about ' : '';
+  return element('span', {}, marked(name, k), ` ${about}${quantity(1e3 * radius, 'mm', 3)}, ${quantity(1e3 * mass, 'g', 3)} `);
+}
+
+/** How well a machine sorts at a time, by the engine's own numbers. @param {BinSeries} bins @param {Object} velocities series */
+function sortedText(time, bins, velocities, {species, fed}) {
+  const [separation, quality, processed] = ['separation', 'quality', 'processed'].map((name) => bins.at(time, name));
+  const left = `${percent(processed || 0)} have left`;
+  if (quality !== null) {
+    const [first, second] = species.map(({name}) => name);
+    const sides = species.length !== 2 ? 'the best pair' : !separation ? 'both alike'
+      : separation > 0 ? `${first} left, ${second} right` : `${first} right, ${second} left`;
+    return `${percent(quality)} sorted: ${sides}${fed ? '' : '; ' + left}`;
+  }
+  const row = lastNotAbove(velocities.time, time);
+  const drifts = bins.areUsed || row < 0 ? [] : species.map(({name}, k) => [name, velocities.species[k].mean_vx[row]])
+    .filter(([, mean]) => mean !== null).map(([name, mean]) =>
+      `${name} drifts ${quantity(1e3 * Math.abs(mean), 'mm/s', 2)} to the ${mean < 0 ? 'left' : 'right'}`);
+  return bins.areUsed ? left : drifts.join(', ') || 'no mean velocity yet';
+}
+
+/** The values at the present time: names, symbols and ids of their outputs. */
+const VALUES = [['sorted', 'Q', 'quality'], ['have left', 'P', 'processed'], ['inclination', '\u03b8', 'inclination'],
+  ['frequency', 'f', 'frequency'], ['amplitude', 'A', 'amplitude']];
+
+const PLACE_TEXTS = {left: 'left bin', on_base: 'on the base', right: 'right bin'};
+const PLACES = Object.keys(PLACE_TEXTS);
+
+/** Adds values to the page's list. @param {Array<Array<string>>} values as VALUES */
+function listValues(values) {
+  byId('now').append(...values.map(([name, letter, id]) => element('div', {}, element('dt', {}, name, ...letter ? [' ', symbol(letter)] : []),
+    element('dd', {}, element('output', {id, 'aria-live': 'off'})))));
+}
+
 /** The values at the present time, beside the picture. */
 class Readings {
   constructor(base, bins) {
     this.species = base.machine.species;
+    if (!byId('quality')) listValues(VALUES);
+    this.result = document.createTextNode('');
+    byId('result').replaceChildren(...this.species.map(kindOf), '\u2014 ', this.result);
     this.base = base;
     this.bins = bins;
-    this.cells = this.species.map(() => ['left', 'on_base', 'right'].map(() => element('span')));
+    this.cells = this.species.map(() => PLACES.map(() => element('span')));
     byId('bins').hidden = !bins.areUsed;
-    if (bins.areUsed) fillTable(byId('bins'), ['species', 'left bin', 'on the base', 'right bin'],
+    if (bins.areUsed) fillTable(byId('bins'), ['species', ...Object.values(PLACE_TEXTS)],
       this.species.map(({name}, k) => [marked(name, k), ...this.cells[k]]));
   }
 
-  show(time) {
+  show(time, text) {
     byId('clock').value = seconds(time);
+    this.result.data = text;
     for (const name of ['quality', 'processed']) byId(name).value = ratio(this.bins.at(time, name));
     const state = this.base.stateAt(time);
     byId('inclination').value = quantity(state.inclination, 'rad');
     byId('frequency').value = quantity(state.frequency, 'Hz');
     byId('amplitude').value = quantity(state.amplitude * 1e3, 'mm');
     if (!this.bins.areUsed) return;
-    this.cells.forEach((cells, species) => ['left', 'on_base', 'right'].forEach((place, k) => {
+    this.cells.forEach((cells, species) => PLACES.forEach((place, k) => {
       cells[k].textContent = quantity(this.bins.count(species, place, time), '', 15);
     }));
   }
 
-  /** Q, P and the bins in a sentence, for readers of the screen. */
-  sentence(time) {
-    const counts = this.species.map((species, k) => !this.bins.areUsed ? '' :
-      `; ${species.name}: ${this.bins.count(k, 'left', time)} in the left bin, ` +
-      `${this.bins.count(k, 'on_base', time)} on the base, ${this.bins.count(k, 'right', time)} in the right bin`);
-    return `The machine at ${time.toFixed(3)} seconds: Q ${ratio(this.bins.at(time, 'quality'))}, ` +
-      `P ${ratio(this.bins.at(time, 'processed'))}${counts.join('')}`;
+  /** In a sentence, for readers of the screen. */
+  sentence(time, text) {
+    const counts = this.species.map(({name}, k) => !this.bins.areUsed ? '' : `; ${name}: ` + PLACES.map((place) =>
+      `${this.bins.count(k, place, time)} ${PLACE_TEXTS[place]}`).join(', '));
+    return `The machine at ${time.toFixed(3)} seconds: ${text}${counts.join('')}`;
   }
 }

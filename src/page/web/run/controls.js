@@ -7,6 +7,7 @@ class PictureControls {
   constructor(picture, timeNow, show) {
     this.picture = picture;
     this.timeNow = timeNow;
+    this.onClick = null;  // what a click beside the disks does, at x and y in the world, if no disk is followed
     this.show = show;
     this.keys = {
       '+': () => this.zoomBy(ZOOM_STEP),
@@ -15,9 +16,13 @@ class PictureControls {
       '0': () => this.showWhole(),
       Escape: () => this.follow(null),
     };
-    byId('zoom-in').addEventListener('click', () => this.zoomBy(ZOOM_STEP));
-    byId('zoom-out').addEventListener('click', () => this.zoomBy(1 / ZOOM_STEP));
-    byId('whole').addEventListener('click', () => this.showWhole());
+    for (const [id, text, name, key] of [['zoom-out', '\u2212', 'Zoom out', '-'], ['zoom-in', '+', 'Zoom in', '+'], ['whole', 'Whole machine', 'Whole machine', '0']]) {
+      const button = element('button', {id, type: 'button', 'aria-label': name, title: `${name} (${key})`}, text);
+      button.addEventListener('click', this.keys[key]);
+      byId('view').append(button, ' ');
+    }
+    byId('following').append(element('label', {}, 'Follow disk ', element('input', {id: 'follow', type: 'number', min: 0, step: 1, placeholder: 'id'})),
+      ' ', element('output', {id: 'followed'}));
     byId('follow').addEventListener('change', () => {
       const text = byId('follow').value;
       this.follow(text === '' ? null : Number(text));
@@ -26,12 +31,12 @@ class PictureControls {
   }
 
   zoomBy(factor, ...pixel) {
-    this.picture.view.zoomBy(factor, ...(pixel.length ? pixel : this.picture.middle(this.timeNow())));
+    this.picture.view.zoomBy(factor, ...pixel);
     this.show();
   }
 
   showWhole() {
-    this.picture.view.showWhole();
+    this.picture.showWhole();
     this.show();
   }
 
@@ -44,7 +49,7 @@ class PictureControls {
     this.show();
   }
 
-  /** Drags move the picture, two fingers zoom, clicks follow a disk. */
+  /** Drags move the picture, two fingers move it and zoom, clicks follow a disk. */
   connectCanvas() {
     const canvas = byId('machine');
     const fingers = new Map();
@@ -62,7 +67,9 @@ class PictureControls {
       dragged += Math.hypot(...moved);
       if (fingers.size === 2) {
         const distance = ([a, b]) => Math.hypot(a[0] - b[0], a[1] - b[1]);
-        this.zoomBy(distance([...fingers.values()]) / Math.max(1, distance(before)), event.offsetX, event.offsetY);
+        const [a, b] = fingers.values();
+        this.picture.view.moveBy(0.5 * moved[0], 0.5 * moved[1]);
+        this.zoomBy(distance([a, b]) / Math.max(1, distance(before)), 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]));
       } else if (dragged > DRAG) {
         canvas.classList.add('moving');
         this.picture.view.moveBy(...moved);
@@ -73,7 +80,8 @@ class PictureControls {
       canvas.classList.remove('moving');
       if (!fingers.delete(event.pointerId) || event.type !== 'pointerup' || dragged > DRAG) return;
       const disk = this.picture.diskNear(this.timeNow(), event.offsetX, event.offsetY);
-      this.follow(disk ? disk.id : null);
+      if (disk || this.picture.followed !== null || !this.onClick) this.follow(disk ? disk.id : null);
+      else this.onClick(...this.picture.view.toWorld(event.offsetX, event.offsetY));
     };
     canvas.addEventListener('pointerup', release);
     canvas.addEventListener('pointercancel', release);

@@ -18,25 +18,26 @@ class Curves {
 
   build() {
     this.all('remove');
-    this.charts = this.shown().map((chart) => addChart(this.parent, {x: this.x, ...chart}, this.common));
+    const shown = this.shown();
+    this.titles = shown.map(({title}) => title).join();
+    this.charts = shown.map((chart) => addChart(this.parent, {x: this.x, ...chart}, this.common));
   }
 
   /** Shows what the series have become. @param {number} end the last time */
   update(end) {
     this.end = end;
     const shown = this.shown();
-    if (shown.length !== this.charts.length) this.build();
+    if (shown.map(({title}) => title).join() !== this.titles) this.build();
     else shown.forEach((chart, k) => this.charts[k].update(chart.data));
   }
 
+  /** A chart for all that changes. */
   shown() {
-    const charts = [];
-    const {separation, species} = this.series.bins;
-    if (this.hasBins && separation && species.length === 2) charts.push(this.separation());
-    if (this.hasBins) charts.push(this.qualities(), this.counts());
-    if (this.hasBins && !separation) charts.push(this.shares('purity'), this.shares('recovery'));
-    if (this.series.velocities.time.length) charts.push(this.velocities());
-    return [...charts, ...this.setpoints()];
+    const charts = this.setpoints();
+    if (this.series.velocities.time.length) charts.unshift(this.velocities());
+    if (this.hasBins) charts.unshift(...this.names.length === 2 ? [this.separation()] : [], this.qualities(), this.counts(),
+      this.shares('purity'), this.shares('recovery'));
+    return charts.filter(({data: [, ...columns]}) => columns.some((column) => column.some((value) => value !== column[0])));
   }
 
   /** Columns of the bins, held until the end of the run. */
@@ -52,7 +53,7 @@ class Curves {
   qualities() {
     const bins = this.series.bins;
     return {
-      title: 'Quality Q and processed share P',
+      title: 'How well they are sorted, Q, and the share that has left, P',
       y: {label: 'Q, P', scale: {range: [0, 1.02]}},
       series: [Curves.stepped('Q', colourOf(0)), Curves.stepped('P', colourOf(1), {dash: [6, 4]})],
       data: this.held(bins.quality, bins.processed),
@@ -118,17 +119,15 @@ class Curves {
     };
   }
 
-  /** The inclination and the frequency, and the amplitude where it varies, each with its setpoint. */
+  /** Inclination, frequency and amplitude, each with its setpoint. */
   setpoints() {
     const drive = this.series.drive;
-    return [['inclination', '\u03b8', 'rad'], ['frequency', 'f', 'Hz'], ['amplitude', 'A', 'm']]
-      .filter(([name]) => name !== 'amplitude' || new Set([...drive[name], ...drive['commanded_' + name]]).size > 1)
-      .map(([name, symbol, unit]) => ({
-        title: `${name[0].toUpperCase()}${name.slice(1)} ${symbol} and its setpoint`,
-        y: {label: `${symbol} [${unit}]`, unit},
-        series: [{label: symbol, stroke: colourOf(0)}, Curves.stepped('setpoint', colourOf(1), {dash: [6, 4]})],
-        data: [drive.time, drive[name], drive['commanded_' + name]],
-      }));
+    return [['inclination', '\u03b8', 'rad', 1], ['frequency', 'f', 'Hz', 1], ['amplitude', 'A', 'mm', MM]].map(([name, letter, unit, scale]) => ({
+      title: `${name[0].toUpperCase()}${name.slice(1)} ${letter} and its setpoint`,
+      y: {label: `${letter} [${unit}]`, unit},
+      series: [{label: letter, stroke: colourOf(0)}, Curves.stepped('setpoint', colourOf(1), {dash: [6, 4]})],
+      data: [drive.time, ...[drive[name], drive['commanded_' + name]].map((column) => column.map((value) => scale * value))],
+    }));
   }
 
   /** @param {string} what redraw, resize or remove */

@@ -11,21 +11,37 @@ class MachinePage {
       player.setSpeed(player.speeds.find((speed) => String(speed) === byId('speed').value)));
     document.addEventListener('keydown', (event) => this.onKey(event));
     onThemeChange(() => {
-      if (this.curves) this.curves.all('redraw');
+      if (this.curves) this.curves.build();
       this.show();
     });
     new ResizeObserver(() => {
       if (!this.picture) return;
-      this.picture.resize();
+      this.resize();
       this.curves.all('resize');
       this.show();
     }).observe(byId('content'));
   }
 
+  resize() {
+    this.picture.resize();
+    this.picture.cover(this.insets());
+  }
+
+  /** What covers the picture at its edges [pixels]. */
+  insets() {
+    return {left: 0, top: 0, right: 0, bottom: 0};
+  }
+
+  resultText() {
+    return sortedText(this.player.time, this.bins, this.curves.series.velocities, this.picture.base.machine);
+  }
+
   /** @param {Curves} curves of the same run */
   showMachine(base, motion, bins, curves) {
+    this.bins = bins;
     this.picture = new Picture(byId('machine'), base, motion, bins);
     this.picture.resize();
+    this.picture.cover(this.insets());
     this.picture.showFirst();
     if (this.controls) this.controls.picture = this.picture;
     else this.controls = new PictureControls(this.picture, () => this.player.time, () => this.show());
@@ -37,13 +53,13 @@ class MachinePage {
     if (!this.picture) return;
     const {time, playing} = this.player;
     this.picture.draw(time);
-    this.values.show(time);
+    this.values.show(time, this.resultText());
     const now = performance.now();
     if (!playing || now - this.curvesDrawn > this.curvesPeriod) {
       this.drawCurves();
       this.curvesDrawn = now;
     }
-    if (!playing) byId('machine').setAttribute('aria-label', this.values.sentence(time));
+    if (!playing) byId('machine').setAttribute('aria-label', this.values.sentence(time, this.resultText()));
   }
 
   showPlayer() {
@@ -73,6 +89,12 @@ class MachinePage {
       get time() { return player.time; },
       get playing() { return player.playing; },
       get followed() { return page.picture.followed; },
+      /** What the picture says: the line above it, and the labels of the bins. */
+      get said() {
+        const {bins, picture} = page;
+        const label = (bin) => bins.labelOf(bin, player.time, picture.base.machine.species).map(({text}) => text).join(' ');
+        return {result: byId('result').textContent, ...bins.areUsed && {left: label('left'), right: label('right')}};
+      },
       play: () => player.play(),
       pause: () => player.pause(),
       disks: () => page.picture.disksAt(player.time),

@@ -44,6 +44,11 @@ class RunPage extends MachinePage {
     byId('time').setAttribute('aria-valuetext', time.toFixed(3) + ' seconds');
   }
 
+  /** Of the end of the run. */
+  resultText() {
+    return sortedText(Infinity, this.bins, this.curves.series.velocities, this.picture.base.machine);
+  }
+
   drawCurves() {
     this.curves.all('redraw');
   }

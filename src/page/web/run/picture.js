@@ -1,6 +1,9 @@
 const BIN_WIDTH = 0.07;         // of the base's width
 const LEAST_HEIGHT = 260;       // of the picture [pixels]
+const LABEL_ROOM = 44;          // below the machine, for the labels of the bins [pixels]
+const MOST_HEADROOM = 0.15;     // above the base, at most; what flies higher is out of the picture [widths of the base]
 const MOST_TEETH = 60;          // that are shown at first
+const LEAST_SHOWN = 1.5;        // diameter of the smallest disks at first [pixels]
 const SMALLEST_ROUND = 1.3;     // radius of disks that are drawn round [pixels]
 const SMALLEST_OUTLINED = 4;    // radius of disks with an outline and a mark that turns [pixels]
 const PATH_TIME = 1.5;          // of a followed disk's path, before and after the present [s]
@@ -40,26 +43,36 @@ class View {
     this.whole = whole;
     this.width = 1;
     this.height = 1;
+    this.insets = {left: 0, top: 0, right: 0, bottom: 0};  // covered by other things [pixels]
     this.showWhole();
+  }
+
+  /** The middle of what is not covered, and its size [pixels]. */
+  get free() {
+    const {left, top, right, bottom} = this.insets;
+    const [width, height] = [Math.max(1, this.width - left - right), Math.max(1, this.height - top - bottom)];
+    return {x: left + 0.5 * width, y: top + 0.5 * height, width, height};
   }
 
   /** Pixels per metre. */
   get scale() {
-    return this.zoom * Math.min(this.width / (this.whole.right - this.whole.left),
-      this.height / (this.whole.high - this.whole.low));
+    const {width, height} = this.free;
+    return this.zoom * Math.min(width / (this.whole.right - this.whole.left), height / (this.whole.high - this.whole.low));
   }
 
   toPixel(x, y) {
-    return {x: 0.5 * this.width + (x - this.centre[0]) * this.scale,
-      y: 0.5 * this.height - (y - this.centre[1]) * this.scale};
+    const {free, scale} = this;
+    return {x: free.x + (x - this.centre[0]) * scale, y: free.y - (y - this.centre[1]) * scale};
   }
 
   toWorld(x, y) {
-    return [this.centre[0] + (x - 0.5 * this.width) / this.scale, this.centre[1] - (y - 0.5 * this.height) / this.scale];
+    const {free, scale} = this;
+    return [this.centre[0] + (x - free.x) / scale, this.centre[1] - (y - free.y) / scale];
   }
 
   /** Zooms about a pixel, which stays where it is. */
-  zoomBy(factor, x = 0.5 * this.width, y = 0.5 * this.height) {
+  zoomBy(factor, x = this.free.x, y = this.free.y) {
+    this.isFirst = false;
     const before = this.toWorld(x, y);
     this.zoom = Math.min(STRONGEST_ZOOM, Math.max(0.5, this.zoom * factor));
     const after = this.toWorld(x, y);
@@ -67,10 +80,12 @@ class View {
   }
 
   moveBy(x, y) {
+    this.isFirst = false;
     this.centre = [this.centre[0] - x / this.scale, this.centre[1] + y / this.scale];
   }
 
   showWhole() {
+    this.isFirst = false;
     this.zoom = 1;
     this.centre = [0.5 * (this.whole.left + this.whole.right), 0.5 * (this.whole.low + this.whole.high)];
   }
@@ -95,6 +110,12 @@ class Picture {
     return this.bins.areUsed ? BIN_WIDTH * this.base.width : 0;
   }
 
+  /** Says what else covers the canvas at its edges. */
+  cover(insets) {
+    this.view.insets = {...insets, bottom: insets.bottom + (this.bins.areUsed ? LABEL_ROOM : 0)};
+    if (this.view.isFirst) this.showFirst();
+  }
+
   fillBins() {
     this.heaps = this.bins.areUsed ? heapsOf(this.bins, this.base.machine.species, this.binWidth) : null;
   }
@@ -102,48 +123,62 @@ class Picture {
   /** Makes the whole machine what it is now. */
   fit() {
     this.view.whole = this.wholeMachine();
-    if (this.view.zoom === 1) this.view.showWhole();
+    if (this.view.isFirst) this.showFirst();
+    else if (this.view.zoom === 1) this.view.showWhole();
   }
 
-  /** All that the base sweeps over and all disks, in the world. */
+  showWhole() {
+    this.view.zoom = 1;
+    this.fit();
+  }
+
+  /** All that the base sweeps over and the disks above it, in the world. */
   wholeMachine() {
     const base = this.base;
     const reach = Math.max(...base.states.amplitude, 0);
-    const whole = {right: 0, low: -reach + base.lowest, high: Math.max(reach + base.highest, this.motion.top())};
+    const whole = {right: 0, low: -reach + base.lowest, high: reach + base.highest};
     for (const inclination of base.states.inclination) {
       const rise = base.width * Math.sin(inclination);
       whole.right = Math.max(whole.right, base.width * Math.cos(inclination));
       whole.low = Math.min(whole.low, rise - reach);
       whole.high = Math.max(whole.high, rise + reach + base.highest);
     }
+    whole.high = Math.max(whole.high, Math.min(this.motion.top(), whole.high + MOST_HEADROOM * base.width));
     const margin = 0.01 * base.width;
     const beside = this.binWidth + margin;
     return {left: -beside, right: whole.right + beside, low: whole.low - beside, high: whole.high + 2 * margin};
   }
 
-  /** The whole machine; of a longer one some teeth in the middle, for otherwise it would be a line. */
+  /** The whole machine; of a longer one, or where disks would be points, its middle. */
   showFirst() {
-    const {machine, width, highest} = this.base;
+    const {machine, width, highest, states} = this.base;
     this.view.showWhole();
-    if (machine.teeth <= MOST_TEETH) return;
-    this.view.zoomBy(machine.teeth / MOST_TEETH);
-    const pose = this.base.poseAt(this.motion.times[0]);
-    this.view.centre = [pose.x + 0.5 * width * pose.cosine, pose.y + 0.5 * width * pose.sine + highest];
+    const smallest = Math.min(...machine.species.map(({radius}) => radius));
+    const zoom = Math.max(machine.teeth / MOST_TEETH, LEAST_SHOWN / (2 * smallest * this.view.scale));
+    if (zoom > 1) {
+      this.view.zoomBy(zoom);
+      const inclination = 0.5 * (Math.min(...states.inclination) + Math.max(...states.inclination));
+      this.view.centre = [0.5 * width * Math.cos(inclination), 0.5 * width * Math.sin(inclination) + highest];
+    }
+    this.view.isFirst = true;
   }
 
   resize() {
     const {left, right, low, high} = this.view.whole;
-    const height = this.canvas.clientWidth * (high - low) / (right - left);
-    this.canvas.style.height = `${Math.round(Math.min(0.6 * innerHeight, Math.max(LEAST_HEIGHT, height)))}px`;
+    const height = this.canvas.clientWidth * (high - low) / (right - left) + LABEL_ROOM;
+    if (!this.canvas.matches('.filling'))
+      this.canvas.style.height = `${Math.round(Math.min(0.6 * innerHeight, Math.max(LEAST_HEIGHT, height)))}px`;
     const {clientWidth, clientHeight} = this.canvas;
     this.canvas.width = Math.round(clientWidth * devicePixelRatio);
     this.canvas.height = Math.round(clientHeight * devicePixelRatio);
     [this.view.width, this.view.height] = [clientWidth, clientHeight];
+    if (this.view.isFirst) this.showFirst();
   }
 
   draw(time) {
     const {clientWidth, clientHeight} = this.canvas;
-    if (clientWidth !== this.view.width || clientHeight !== this.view.height) this.resize();
+    const pixels = (length) => Math.round(length * devicePixelRatio);
+    if (this.canvas.width !== pixels(clientWidth) || this.canvas.height !== pixels(clientHeight)) this.resize();
     const context = this.canvas.getContext('2d');
     const ratio = this.canvas.width / Math.max(1, this.canvas.clientWidth);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -151,8 +186,8 @@ class Picture {
     context.fillRect(0, 0, this.view.width, this.view.height);
     if (this.followed !== null) this.centreOnFollowed(time);
     // From here on in metres from the middle of the view, y upwards: a canvas computes in single precision.
-    const {scale, width, height, centre} = this.view;
-    context.transform(scale, 0, 0, -scale, 0.5 * width, 0.5 * height);
+    const {scale, free, centre} = this.view;
+    context.transform(scale, 0, 0, -scale, free.x, free.y);
     context.save();
     context.translate(-centre[0], -centre[1]);
     const pose = this.base.poseAt(time);
@@ -161,14 +196,8 @@ class Picture {
     if (this.followed !== null) this.drawPath(context, time);
     context.restore();
     this.drawDisks(context, time);
-  }
-
-  /** The pixel about which the keys zoom: in the middle, at the height of the base while it is in the picture. */
-  middle(time) {
-    const {x, y, cosine, sine} = this.base.poseAt(time);
-    const [s, n] = [0.5 * this.base.width, this.base.highest];
-    const pixel = this.view.toPixel(x + s * cosine - n * sine, y + s * sine + n * cosine);
-    return [0.5 * this.view.width, Math.min(this.view.height, Math.max(0, pixel.y))];
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    if (this.bins.areUsed) this.drawLabels(context, pose, time);
   }
 
   drawBase(context, {x, y, cosine, sine}) {
@@ -188,12 +217,18 @@ class Picture {
     context.restore();
   }
 
-  /** Both bins, at the ends of the base, with the disks that they hold in the order in which they came. */
+  /** The lower left corner of a bin, at its end of the base [m]. */
+  cornerOf(bin, pose) {
+    const s = bin === 'left' ? 0 : this.base.width;
+    return [pose.x + s * pose.cosine - (bin === 'left' ? this.binWidth : 0),
+      pose.y + s * pose.sine + this.base.lowest - this.binWidth];
+  }
+
+  /** Both bins, with the disks that they hold in the order in which they came. */
   drawBins(context, pose, time) {
     const width = this.binWidth;
-    for (const [bin, s] of [['left', 0], ['right', this.base.width]]) {
-      const left = pose.x + s * pose.cosine - (bin === 'left' ? width : 0);
-      const low = pose.y + s * pose.sine + this.base.lowest - width;
+    for (const bin of ['left', 'right']) {
+      const [left, low] = this.cornerOf(bin, pose);
       context.fillStyle = themeColour('--bin');
       context.fillRect(left, low, width, width);
       const paths = this.base.machine.species.map(() => new Path2D());
@@ -203,15 +238,39 @@ class Picture {
     }
   }
 
+  /** What each bin holds, below it or, where it is out of the picture, at the edge. */
+  drawLabels(context, pose, time) {
+    context.font = '600 13px system-ui, sans-serif';
+    context.textAlign = 'center';
+    context.lineWidth = 4;
+    context.strokeStyle = themeColour('--ground');
+    for (const bin of ['left', 'right']) {
+      const [left, low] = this.cornerOf(bin, pose);
+      const lines = this.bins.labelOf(bin, time, this.base.machine.species);
+      const half = 0.5 * Math.max(...lines.map(({text}) => context.measureText(text).width)) + 4;
+      const {x, y} = this.view.toPixel(left + 0.5 * this.binWidth, low);
+      const {free} = this.view;
+      const [middle, top] = [[x, free.x, 0.5 * free.width - half], [y, free.y, 0.5 * free.height]]
+        .map(([at, centre, reach]) => Math.min(centre + reach, Math.max(centre - reach, at)));
+      lines.forEach(({text, species}, k) => {
+        context.fillStyle = species === null ? themeColour('--text') : colourOf(species);
+        context.strokeText(text, middle, top + 17 * (k + 1));
+        context.fillText(text, middle, top + 17 * (k + 1));
+      });
+    }
+  }
+
   drawDisks(context, time) {
     const bodies = this.base.machine.species.map(() => new Path2D());
     const marks = new Path2D();
-    const {scale, width, height, centre} = this.view;
+    const {scale, centre} = this.view;
+    const [fromX, toY] = this.view.toWorld(0, 0);
+    const [toX, fromY] = this.view.toWorld(this.view.width, this.view.height);
     this.motion.forEachAt(time, (track, worldX, worldY, angle) => {
       const radius = this.motion.radii[track];
+      if (worldX < fromX - radius || worldX > toX + radius || worldY < fromY - radius || worldY > toY + radius) return;
       const x = worldX - centre[0];
       const y = worldY - centre[1];
-      if (Math.abs(x) > 0.5 * width / scale + radius || Math.abs(y) > 0.5 * height / scale + radius) return;
       this.addDisk(bodies[this.motion.species[track]], x, y, radius);
       if (radius * scale < SMALLEST_OUTLINED) return;
       marks.moveTo(x + 0.35 * radius * Math.cos(angle), y + 0.35 * radius * Math.sin(angle));

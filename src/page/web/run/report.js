@@ -1,3 +1,26 @@
+/** In which unit a number of an SI unit is shown, and how many of it that is. */
+function shownUnit(unit) {
+  return {m: ['mm', 1e3], 'm/s': ['mm/s', 1e3], kg: ['g', 1e3], 'kg/s': ['g/s', 1e3]}[unit] || [unit, 1];
+}
+
+function inUnit(value, unit) {
+  const [shown, scale] = shownUnit(unit);
+  return quantity(value === null ? null : scale * value, shown);
+}
+
+/** Both ends of a class, with as many decimals as tell them from what they are by less than a hundredth of its width. */
+function rangeText(from, to) {
+  const isNear = (decimals) => [from, to].every((end) => Math.abs(Number(end.toFixed(decimals)) - end) < 0.01 * (to - from));
+  const decimals = [0, 1, 2, 3, 4, 5, 6].find(isNear) ?? 6;
+  return `${from.toFixed(decimals)} to ${to.toFixed(decimals)}`;
+}
+
+/** A key as words. */
+function wordsOf(key) {
+  return key.replace(/quantile_(\d+)/, '$1 % quantile').replace('mean_vx', '\u27e8V_x\u27e9').replace('stderr', 'standard error')
+    .replace(/_(?!x)/g, ' ');
+}
+
 /** The results of a run, its commands, and where it comes from. */
 class Report {
   constructor(run, times, hasBins) {
@@ -35,45 +58,64 @@ class Report {
     fillTable(byId('results'), columns.map(([name]) => name),
       results.species.map((species, k) => columns.map(([, cell]) => cell(species, k))));
     const whole = [['Q', ratio(results.quality)], ['P', ratio(results.processed)],
-      ['short to long slope', ratio(results.short_to_long)], ['largest overlap', quantity(results.max_overlap, 'm')]];
+      ...this.steadyRows(), ['short to long slope', ratio(results.short_to_long)], ['largest overlap', quantity(results.max_overlap, 'm')]];
     if (results.collisions)
       whole.push(['contacts', Object.entries(results.collisions)
         .map(([kind, count]) => `${kind.replace('_', ' ')} ${count}`).join(', ')]);
+    if (this.hasBins) whole.unshift(['separation s', ratio(results.separation)]);
     byId('more-results').append(element('dl', {}, ...whole.flatMap(([name, text]) =>
       [element('dt', {}, name), element('dd', {}, text)])));
     this.showObserved();
   }
 
+  /** What a machine with a feed does once it has filled. */
+  steadyRows() {
+    const {steady, steady_reason: reason} = this.results;
+    if (!steady) return reason && !reason.startsWith('no ') ? [['once filled', reason]] : [];
+    const {from, separation, throughput, inside} = steady;
+    const text = (estimate, unit) => withError(estimate && estimate.value, estimate && estimate.half_width, unit);
+    return [['once filled', `from ${seconds(from)}`], ['s once filled', text(separation, '')],
+      ['throughput once filled', text(throughput.number, '1/s')], ['disks inside', text(inside, '')]];
+  }
+
   /** What the scene observes: whatever is not shown above. */
   showObserved() {
     const shown = new Set(['scene_hash', 'seed', 'version', 'plan', 'start_time', 'first_frame_time', 'simulated_time', 'particle_frames',
-      'not_recorded', 'species', 'quality', 'processed', 'purity', 'recovery', 'collisions', 'max_overlap', 'short_to_long']);
+      'not_recorded', 'species', 'quality', 'processed', 'purity', 'recovery', 'collisions', 'max_overlap', 'short_to_long', 'steady_reason']);
+    for (const name of ['separation', 'separation_by_mass']) shown.add(name);
     for (const [name, value] of Object.entries(this.results)) {
       if (shown.has(name)) continue;
-      const title = name.replaceAll('_', ' ');
+      const title = wordsOf(name);
       byId('more-results').append(element('details', {}, element('summary', {}, title),
-        element('div', {class: 'table', tabindex: '0', role: 'group', 'aria-label': title}, Report.tree(value))));
+        element('div', {class: 'table', tabindex: '0', role: 'group', 'aria-label': title}, Report.tree(value, this.run.units[name] || {}))));
     }
   }
 
-  /** Any value as nested lists and tables. */
-  static tree(value) {
-    if (value === null || typeof value === 'number') return element('span', {}, quantity(value));
+  /** Any value as nested lists and tables. @param {Object<string, string>} units by the names of numbers and columns */
+  static tree(value, units, unit = '') {
+    if (value === null || typeof value === 'number') return element('span', {}, inUnit(value, unit));
     if (typeof value !== 'object') return element('span', {}, String(value));
-    if (Array.isArray(value)) {
-      if (value.every((each) => each === null || typeof each === 'number'))
-        return element('span', {}, value.map((each) => quantity(each)).join(', '));
-      return element('div', {}, ...value.map((each) => Report.tree(each)));
-    }
+    if (Array.isArray(value)) return element('div', {}, ...value.map((each) => Report.tree(each, units, unit)));
     const columns = Object.values(value);
-    if (columns.length && columns.every((column) => Array.isArray(column) && column.length === columns[0].length &&
-        column.every((each) => each === null || typeof each === 'number'))) {
-      const table = element('table');
-      fillTable(table, Object.keys(value), columns[0].map((_, k) => columns.map((column) => quantity(column[k]))));
-      return table;
-    }
+    if (columns.length && columns.every((column) => Array.isArray(column) && column.every((each) => typeof each !== 'object' || each === null)))
+      return Report.columns(value, units);
     return element('dl', {}, ...Object.entries(value).flatMap(([name, each]) =>
-      [element('dt', {}, name.replaceAll('_', ' ')), element('dd', {}, Report.tree(each))]));
+      [element('dt', {}, wordsOf(name)), element('dd', {}, Report.tree(each, units, units[name]))]));
+  }
+
+  /** A table of columns; both ends of a class are one column, and so are a mean and its error. */
+  static columns(all, units) {
+    const cells = Object.entries(all).filter(([name]) => !(/(^|_)to$/.test(name) || name.endsWith('_stderr'))).map(([name, column]) => {
+      const [unit, scale] = shownUnit(units[name] || '');
+      const [ends, errors] = [all[name.replace(/from$/, 'to')], all[name + '_stderr']];
+      const isClass = name.endsWith('from') && ends;
+      return [wordsOf(isClass ? name.replace(/_?from$/, '') || 'class' : name) + (unit ? ` [${unit}]` : ''), column.map((value, k) =>
+        isClass ? rangeText(scale * value, scale * ends[k])
+          : errors ? withError(value, errors[k], '', scale) : quantity(value === null ? null : scale * value))];
+    });
+    const table = element('table');
+    fillTable(table, cells.map(([head]) => head), cells[0][1].map((_, k) => cells.map(([, column]) => column[k])));
+    return table;
   }
 
   showCommands() {

@@ -1,8 +1,8 @@
 // Colours at equal distances on matplotlib's scales, which have even steps and which the colour-blind can read.
 const VIRIDIS = ['#440154', '#481f70', '#443983', '#3b528b', '#31688e', '#287c8e', '#21918c', '#20a486', '#35b779', '#5ec962',
   '#90d743', '#c8e020', '#fde725'];
-const RED_BLUE = ['#053061', '#1c5c9f', '#3783bb', '#6bacd1', '#a7d0e4', '#d7e8f1', '#f7f6f6', '#fcdfcf', '#f7b799', '#e48066',
-  '#c94741', '#a51429', '#67001f'];
+const RED_BLUE = ['#1c5c9f', '#3783bb', '#6bacd1', '#a7d0e4', '#d7e8f1', '#f7f6f6', '#fcdfcf', '#f7b799', '#e48066',
+  '#c94741', '#a51429'];
 
 /** A colour of a scale. @param {number} share from 0 to 1 */
 function scaleColour(scale, share) {
@@ -26,7 +26,7 @@ class ColourScale {
       this.high = Math.max(-this.low, this.high);
       this.low = -this.high;
     }
-    this.colours = isSigned ? RED_BLUE : VIRIDIS;
+    this.colours = isSigned ? RED_BLUE : this.high > 0 ? VIRIDIS : VIRIDIS.toReversed();
   }
 
   share(value) {
@@ -42,7 +42,7 @@ class ColourScale {
 function curveColours(values) {
   if (values.length === 1 || values.some((value) => typeof value !== 'number')) return values.map((_, k) => colourOf(k));
   // The ends of the scale that can be seen on the ground.
-  const [from, to] = matchMedia('screen and (prefers-color-scheme: dark)').matches ? [0.3, 1] : [0, 0.8];
+  const [from, to] = matchMedia('screen and (prefers-color-scheme: dark)').matches ? [0.4, 1] : [0, 0.65];
   return values.map((_, k) => scaleColour(VIRIDIS, from + (to - from) * k / (values.length - 1)));
 }
 
@@ -108,7 +108,7 @@ class SweepMap {
     this.field = field;
     const means = report.meansOf(field);
     this.scale = means.length ? new ColourScale(means.map((mean) => mean.value)) : null;
-    const isQuality = report.fields[field].name === 'quality';
+    const isQuality = report.isQuality(field);
     for (const [cell, place] of this.places) {
       const mean = place.means[field];
       cell.style.backgroundColor = mean ? this.scale.colourOf(mean.value) : '';
