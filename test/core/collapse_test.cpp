@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
