@@ -19,8 +19,8 @@ struct PourBed
   double lowest;  ///< height of the lowest undersides
 };
 
-/// Finds positions for new disks: each at a random place on a stretch of the base, as low as the drop height
-/// and the existing disks allow.
+/// Finds positions for new disks: each at a random place on a stretch of the base, as low as the bed and the
+/// disks that are there allow.
 class Pour
 {
 public:

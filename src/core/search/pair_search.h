@@ -109,7 +109,10 @@ struct PairScene
   double time_resolution;  ///< times that differ by less are treated as equal [s]
 
   /// The image `shift` widths to the right, relative to the disk itself, at `time`.
-  Image image(double shift, double time) const { return motion.image(shift * width, time); }
+  Image image(double shift, double time) const
+  {
+    return shift == 0.0 ? Image() : motion.at(time).image(shift * width);
+  }
 };
 
 /// Finds the first contact of a disk with the images of another on a ring. The images form a row, one width

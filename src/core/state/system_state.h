@@ -115,7 +115,10 @@ public:
   }
 
   /// The image `shift` widths to the right, relative to the disk itself, at `time`.
-  Image image(double shift, double time) const { return motion_.image(shift * shape_.width(), time); }
+  Image image(double shift, double time) const
+  {
+    return shift == 0.0 ? Image() : motion_.at(time).image(shift * shape_.width());
+  }
 
   /// Allocates memory for this number of disks.
   void reserve(std::size_t count);
