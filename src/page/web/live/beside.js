@@ -50,9 +50,7 @@ class Beside {
     byId('beside-setpoint').append(slider.part);
   }
 
-  get isBusy() {
-    return this.engine !== null && this.engine.waiting.length > 0;
-  }
+  get isBusy() { return this.engine !== null && this.engine.waiting.length > 0; }
 
   /** Pours it anew beside a run. */
   open(settings, run) {
