@@ -36,6 +36,8 @@ add_message_files(FILES
   BinCounts.msg
   BinPurity.msg
   Command.msg
+  DeckLevel.msg
+  DiskCounts.msg
   DiskExit.msg
   Observation.msg
   ObservationColumn.msg
@@ -48,7 +50,8 @@ add_message_files(FILES
   SeekTrial.msg
   SieveStatistics.msg
   SpeciesStatistics.msg)
-add_service_files(FILES LockStep.srv PourBetween.srv PourDisks.srv ResetSimulation.srv StepSimulation.srv)
+add_service_files(
+  FILES LockStep.srv PourBetween.srv PourDisks.srv ResetSimulation.srv SetFault.srv StepSimulation.srv)
 generate_messages(DEPENDENCIES std_msgs)
 
 catkin_package(

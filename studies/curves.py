@@ -16,9 +16,10 @@ def curve_of(rows, key, field, seeds):
     return list(chosen.groupby(key)[field].mean().dropna().items())
 
 
-def zero_crossing(points):
+def zero_crossing(points, nearest=1):
     """The least x at which y changes its sign, by a parabola through the points beside it and the nearest other one.
-    @param points three or more pairs (x, y) in the order of x. @return None where there is no change of sign"""
+    @param points three or more pairs (x, y) in the order of x. @param nearest 0: by the line through the points beside
+    @return None where there is no change of sign"""
     for k in range(len(points) - 1):
         (x0, y0), (x1, y1) = points[k], points[k + 1]
         if y0 == 0.0:
@@ -26,16 +27,26 @@ def zero_crossing(points):
         if y0 * y1 < 0.0:
             middle = 0.5 * (x0 + x1)
             others = sorted((abs(x - middle), x, y) for x, y in points if x not in (x0, x1))
-            through = [(x0, y0), (x1, y1), *((x, y) for _, x, y in others[:1])]
+            through = [(x0, y0), (x1, y1), *((x, y) for _, x, y in others[:nearest])]
             roots = numpy.roots(numpy.polyfit(*zip(*through), len(through) - 1)).real
             return float(min(roots, key=lambda x, middle=middle: abs(x - middle)))
     return None
 
 
+def interpolated(estimate, seeds):
+    """@param estimate of some seeds, by a parabola (nearest = 1) or a line (nearest = 0)
+    @return that of all by the parabola. Its error is that of the jackknife over the seeds and, for the interpolation,
+    the distance to the line's. None where it is not defined, with all seeds or without one of them"""
+    mean = jackknife(lambda chosen: estimate(chosen, 1), seeds)
+    if mean is None or mean.error is None:
+        return mean
+    return dataclasses.replace(mean, error=math.hypot(mean.error, mean.value - estimate(seeds, 0)))
+
+
 def crossing_of(rows, key, field):
-    """@return the value of the key at which the field changes its sign, with its jackknife error over the seeds; None
-    where it does not change, with all seeds or without one of them"""
-    return jackknife(lambda seeds: zero_crossing(curve_of(rows, key, field, seeds)), rows.values("seed"))
+    """@return the value of the key at which the field changes its sign; None where it does not"""
+    return interpolated(lambda seeds, nearest: zero_crossing(curve_of(rows, key, field, seeds), nearest),
+                        rows.values("seed"))
 
 
 TURNS = {"B": "theta_b_reverses", "A": "theta_a_reverses", "window": "interval_rad"}  # columns in a CSV file
@@ -43,11 +54,11 @@ TURNS = {"B": "theta_b_reverses", "A": "theta_a_reverses", "window": "interval_r
 
 def turns_of(rows, key):
     """@return the values of the key at which A and B turn, and A's less B's as `window`; None where there is none"""
-    def window(seeds):
-        a, b = (zero_crossing(curve_of(rows, key, f"mean_vx.{kind}", seeds)) for kind in "AB")
+    def window(seeds, nearest):
+        a, b = (zero_crossing(curve_of(rows, key, f"mean_vx.{kind}", seeds), nearest) for kind in "AB")
         return None if None in (a, b) else a - b
     return {**{kind: crossing_of(rows, key, f"mean_vx.{kind}") for kind in "AB"},
-            "window": jackknife(window, rows.values("seed"))}
+            "window": interpolated(window, rows.values("seed"))}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -63,7 +74,10 @@ def highest(curve):
 
 
 def best_of(rows, key, field):
-    """@return None where the field is defined nowhere, or there is one seed alone"""
+    """Among the values of the key that all seeds ran: where fewer did, chance would choose, and few would measure.
+    @return None where the field is defined nowhere, or there is one seed alone"""
+    counts = rows.frame.groupby(key)[field].count()
+    rows = Rows(rows.frame[rows.frame[key].isin(counts[counts == counts.max()].index)])
     seeds, samples = rows.values("seed"), []
     first, second = seeds[0::2], seeds[1::2]
     for chosen, measured in ((first, second), (second, first)):

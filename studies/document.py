@@ -1,4 +1,6 @@
-"""Makes a document of studies from its template: a table of the claims, then a section per study."""
+"""Makes a document of studies from its template: a table of the claims, then a section per study. Studies that the
+template does not name stand on a page of their own, whose template is checks.md."""
+import re
 import string
 import textwrap
 
@@ -6,7 +8,9 @@ from ratchet_sieve import origin
 from ratchet_sieve.documents import write_figures
 from ratchet_sieve.tables import joined, write_csv
 from ratchet_sieve.texts import WIDTH, counted, span, table, wrapped
+import setups
 import verdicts
+
 
 def order(claim):
     return (claim.is_addition(), int(claim.number.strip(string.ascii_letters)), claim.number)
@@ -16,10 +20,15 @@ def claims_of(outcomes):
     return sorted((claim for outcome in outcomes for claim in outcome.claims()), key=order)
 
 
+def verdict(claim):
+    """Its words bold, and the condition."""
+    words = "|".join(verdicts.ORDER)
+    return re.sub(rf"(^|; )({words})(?=:|$)", r"\1**\2**", claim.verdict()) + f" {claim.condition}".rstrip()
+
+
 def claims_table(claims):
     return table(["#", "where", "claim", "verdict"],
-                 [[claim.number, claim.where, claim.text, f"**{claim.verdict()}** {claim.condition}".strip()]
-                  for claim in claims])
+                 [[claim.number, claim.where, claim.text, verdict(claim)] for claim in claims])
 
 
 def filled(text, indent):
@@ -33,7 +42,7 @@ def checks(claims):
     lines = []
     for claim in sorted(claims, key=order):
         kind = "Addition" if claim.is_addition() else "Claim"
-        lines.append(filled(f"{kind} {claim.number} **{claim.verdict()}** {claim.condition}".strip() + ":", ""))
+        lines.append(filled(f"{kind} {claim.number}{'' if ':' in claim.verdict() else ' ' + verdict(claim)}:", ""))
         lines += [filled(check.text(), "  ") for check in claim.checks]
     return "\n".join(lines)
 
@@ -58,10 +67,10 @@ def runs(outcome):
 
 
 def section(outcome, document, is_shown=True):
-    """@param is_shown whether the document shows the first picture; else it links it, in an appendix"""
+    """@param is_shown whether the document shows the first picture; else it links it"""
     study = outcome.study
     text, found = study.text(outcome.numbers).strip(), sources(outcome, document, int(is_shown))
-    parts = [f"{'##' if is_shown else '###'} {study.title}", checks(outcome.claims())]
+    parts = [f"## {study.title}", checks(outcome.claims())]
     if not is_shown:
         parts.append(f"{text} {found}".strip())
     else:
@@ -85,23 +94,26 @@ def about(outcomes, command):
 
 
 def write(path, template, outcomes, command):
-    """@param template a file in which some of $about, $rule, $claims, $additions and $study_NAME stand
-    for what came out, and $appendix for all other studies"""
+    """@param template a file in which some of $about, $rule, $claims, $additions, $machines and $study_NAME stand for
+    what came out, and in checks.md beside it $checks for all other studies, which go to NAME_checks.md"""
     claims = claims_of(outcomes)
     known = {"about": about(outcomes, command), "rule": verdicts.RULE,
              "claims": claims_table([claim for claim in claims if not claim.is_addition()]),
-             "additions": claims_table([claim for claim in claims if claim.is_addition()])}
-    text, appendix = template.read_text(encoding="utf-8"), []
+             "additions": claims_table([claim for claim in claims if claim.is_addition()]),
+             "machines": setups.machines([outcome.study for outcome in outcomes])}
+    text, others = template.read_text(encoding="utf-8"), []
     for outcome in outcomes:
         name = f"study_{outcome.study.name}"
         if f"${name}\n" in text:
             known[name] = section(outcome, path.stem)
         else:
-            appendix.append(section(outcome, path.stem, False))
-    known["appendix"] = "\n\n".join(appendix)
-    text = string.Template(text).substitute(known)
+            others.append(section(outcome, path.stem, False))
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(wrapped(text), encoding="utf-8")
+    path.write_text(wrapped(string.Template(text).substitute(known)), encoding="utf-8")
+    if others:
+        text = template.with_name("checks.md").read_text(encoding="utf-8")
+        path.with_stem(f"{path.stem}_checks").write_text(
+            wrapped(string.Template(text).substitute(known, checks="\n\n".join(others))), encoding="utf-8")
     write_data(path, outcomes, claims)
 
 

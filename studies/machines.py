@@ -68,16 +68,12 @@ def cell(row):
         plus_minus(row["throughput"], row["throughput_half_width"])
 
 
-def sections(found):
-    """The tables: of each mixture the best of each kind; the settings of the best of all."""
+def bests_of(found):
+    """The table: of each mixture the best of each kind of machine."""
     bests = {name: {kind: front.best_row(MIXTURES[name][2]) for kind, front in fronts.items()}
              for name, fronts in found.items()}
-    yield table(["separation, at disks/s", *KINDS],
+    return table(["separation, at disks/s", *KINDS],
                 [[MIXTURES[name][0], *map(cell, rows.values())] for name, rows in bests.items()])
-    last = list(KINDS)[-1]
-    rows = {name: rows[last] for name, rows in bests.items() if rows[last]}
-    yield table(["best machine of the last kind", *rows],
-                [[f"`{key}`", *(f"{row[key]:g}".replace("-", "−") for row in rows.values())] for key in ANY])
 
 
 def draw(found):
@@ -112,7 +108,7 @@ def main():
         options.out / "data/machines.csv", index=False, float_format="%.6g")
     plots.save(draw(found), options.out / "images/machines.png", svg=False, bbox_inches="tight")
     about = wrapped(f"{origin.text()}.")
-    documents.put(page, MARK, "\n\n".join([*sections(found), about]))
+    documents.put(page, MARK, f"{bests_of(found)}\n\n{about}")
 
 
 if __name__ == "__main__":

@@ -71,11 +71,15 @@ def named_curves(axes, curves, colours, scale=1.0):
     return ends
 
 
-def kind_curves(axes, pairs, kinds, colour, **options):
-    """The mean velocities of two kinds in one colour, the second dashed. @param pairs map from x to both"""
-    for index, (kind, style) in enumerate(zip(kinds, ("-", "--"))):
-        plots.curve(axes, [(x, pair[index]) for x, pair in pairs.items()], plots.MM, color=colour, linestyle=style,
-                    label=kind, **options)
+MARKERS = "os^Dv"
+
+
+def kind_curves(axes, pairs, kinds, k, **options):
+    """The mean velocities of two kinds, each in its colour; their lines and markers are those of the k-th pair.
+    @param pairs map from x to both"""
+    for index, (kind, colour) in enumerate(zip(kinds, plots.COLOURS)):
+        plots.curve(axes, [(x, pair[index]) for x, pair in pairs.items()], plots.MM, color=colour, marker=MARKERS[k],
+                    linestyle=("-", "--", ":")[k], markersize=4, label=kind, **options)
 
 
 @dataclasses.dataclass(frozen=True)

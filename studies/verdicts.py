@@ -4,20 +4,19 @@ import dataclasses
 from ratchet_sieve.plots import MM
 from ratchet_sieve.stats import signs
 
-RULE = ("A check compares a mean with a bound. It passes (yes) or fails (no) where the 95 % interval (Student's t over "
-        "the independent samples) lies wholly on one side of the bound, and is undecided otherwise. A check of many "
+RULE = ("A check compares a mean with a bound. It *holds* or *does not hold* where the 95 % interval (Student's t over "
+        "the independent samples) lies wholly on one side of the bound, and is *undecided* otherwise. It is *possible* "
+        "where it holds for a value that was chosen among several and not confirmed by fresh seeds. A check of many "
         "comparisons is corrected for their number by Holm's method: \"8 of 8\" are significant at 5 % together. "
-        "Different claims are not corrected for their number. A claim *holds* if all its checks pass, *holds in part* "
-        "if some do, *does not hold* if none does and one fails, and is *undecided* if all are. A claim is *possible* "
-        "if all its checks pass, one of them only for a value that was chosen among several and not confirmed by fresh "
-        "seeds.")
+        "Different claims are not corrected for their number. A claim has the verdict of its checks; where they "
+        "differ, it says which.")
 
 HOLDS = "holds"
-IN_PART = "holds in part"
 POSSIBLE = "possible"
 FAILS = "does not hold"
 UNDECIDED = "undecided"
-MARKS = {True: "yes", False: "**no**", None: "undecided"}
+OUTCOMES = {True: HOLDS, False: FAILS, None: UNDECIDED}
+ORDER = (HOLDS, POSSIBLE, FAILS, UNDECIDED)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -26,9 +25,17 @@ class Check:
     came_out: str    # with its error and number of samples
     passes: bool     # None: undecided
     is_searched: bool = False  # passes for a value that was chosen by the same samples
+    part: str = ""   # what of the claim it is about, in few words
+
+    def outcome(self):
+        return POSSIBLE if self.passes and self.is_searched else OUTCOMES[self.passes]
 
     def text(self):
-        return f"{self.says}: {self.came_out}: {MARKS[self.passes]}"
+        outcome = self.outcome()
+        return f"{self.says}: {self.came_out}: {f'**{outcome}**' if outcome == FAILS else outcome}"
+
+    def about(self, part):
+        return dataclasses.replace(self, part=part)
 
 
 def shown(mean, scale, unit):
@@ -117,9 +124,10 @@ class Claim:
         return not self.number[0].isdigit()
 
     def verdict(self):
-        outcomes = [check.passes for check in self.checks]
-        if outcomes and all(outcome is True for outcome in outcomes):
-            return POSSIBLE if any(check.is_searched for check in self.checks) else HOLDS
-        if True in outcomes:
-            return IN_PART
-        return FAILS if False in outcomes else UNDECIDED
+        """In one word, or with the parts of each where the checks differ."""
+        parts = {}
+        for check in self.checks:
+            parts.setdefault(check.outcome(), []).append(check.part or check.says)
+        if len(parts) > 1:
+            return "; ".join(f"{outcome}: {', '.join(parts[outcome])}" for outcome in ORDER if outcome in parts)
+        return next(iter(parts), UNDECIDED)

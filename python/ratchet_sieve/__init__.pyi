@@ -9,8 +9,10 @@ from . import tables as tables
 from ._engine import __version__ as __version__
 from .answers import separate as separate
 from .answers.answer import Answer as Answer
+from .answers.calibrate import calibrate as calibrate
 from .answers.front import Front as Front
 from .answers.front import front as front
+from .answers.grains import Grains as Grains
 from .bags import read_bag as read_bag
 from .errors import BagError as BagError
 from .errors import ResultsError as ResultsError

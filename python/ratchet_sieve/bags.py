@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Iterator, Union
+from typing import Any, Callable, Iterator, Union
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from .scene import Scene
 # Of each message that a bag needs, its type.
 SCENE, DISKS, BASE, BINS = (f"ratchet_sieve/{name}"
                             for name in ("SceneDescription", "ParticleStates", "BaseState", "BinCounts"))
+SETTING = ("inclination", "frequency", "amplitude")  # of a base, with what was applied
 
 
 def read_bag(path: Union[str, os.PathLike]) -> Recording:
@@ -22,20 +23,47 @@ def read_bag(path: Union[str, os.PathLike]) -> Recording:
     Needs ROS's Python module rosbag (Debian: python3-rosbag), but neither a master nor this package's messages.
     Raises BagError.
     """
+    return _opened(os.fspath(path), _read)
+
+
+def _opened(path: str, read: Callable) -> Any:
+    """What a function of a bag and its path reads. Raises BagError."""
     try:
         import rosbag
     except ImportError as error:
-        raise BagError(f"{os.fspath(path)}: bags are read by ROS's Python module rosbag (Debian: python3-rosbag): "
+        raise BagError(f"{path}: bags are read by ROS's Python module rosbag (Debian: python3-rosbag): "
                        f"{error}") from error
     try:
-        with rosbag.Bag(os.fspath(path)) as bag:
-            return _read(bag, os.fspath(path))
+        with rosbag.Bag(path) as bag:
+            return read(bag, path)
     except BagError:
         raise
     except OSError as error:
-        raise BagError(f"{os.fspath(path)}: {error.strerror or error}") from error
+        raise BagError(f"{path}: {error.strerror or error}") from error
     except Exception as error:  # rosbag raises errors of all kinds at a damaged file
-        raise BagError(f"{os.fspath(path)}: {str(error) or type(error).__name__}") from error
+        raise BagError(f"{path}: {str(error) or type(error).__name__}") from error
+
+
+def read_bins(path: str) -> dict:
+    """The last counts of a bag's bins, as left.A, right.A and on_base.A, and what they belong to: `duration` and, where
+    the bag has the base, its setting. Raises BagError, also where the setting changed."""
+    return _opened(path, _read_bins)
+
+
+def _read_bins(bag: Any, path: str) -> dict:
+    *_, last = _messages(bag, BINS, path)
+    row: dict[str, Any] = {"duration": last.time}
+    if BASE in {about.msg_type for about in bag.get_type_and_topic_info().topics.values()}:
+        base = list(_messages(bag, BASE, path))
+        for name in SETTING:
+            found = {getattr(message, name) for message in base}
+            if len(found) > 1:
+                raise BagError(f"{path}: {name} changed while it was recorded, from {min(found):g} to {max(found):g}: "
+                               "record one setting")
+            row[f"base.{name}"] = found.pop()
+    for k, species in enumerate(last.species):
+        row.update({f"{place}.{species}": int(getattr(last, place)[k]) for place in ("left", "right", "on_base")})
+    return row
 
 
 def _read(bag: Any, path: str) -> Recording:

@@ -50,8 +50,13 @@ class InStep:
         kind = getattr(Command, quantity.upper())
 
         def taken():
+            echoes = [echo for echo in [*self._echoes] if echo.kind == kind]
             if value is None:
-                return any(echo.kind == kind and echo.time == self.time for echo in [*self._echoes])
+                # A drive echoes its moves, too, with the setpoint that it follows.
+                before = [echo.values[0] for echo in echoes if echo.time < self.time][-1:]
+                return any(echo.time == self.time and [echo.values[0]] != before for echo in echoes)
+            if echoes:
+                return echoes[-1].values[0] == value
             return self._base.time == self.time and getattr(self._base, f'commanded_{quantity}') == value
         self.wait_for(taken, f'setpoint of {quantity}' if value is None else f'{quantity} = {value}')
 

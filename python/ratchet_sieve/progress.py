@@ -4,6 +4,7 @@ from __future__ import annotations
 import os
 import sys
 import time
+from typing import Optional
 
 WIDTH = 30    # of the bar, in characters
 COLUMNS = 80  # of a terminal that does not say how many it has
@@ -15,6 +16,7 @@ class Progress:
     def __init__(self, shown: bool, what: str):
         self._what, self._said = what, shown
         self._begin = time.monotonic()
+        self.announced: Optional[float] = None  # how long the call is expected to take [s]
         self._shown = shown and (sys.stderr.isatty() or "ipykernel" in sys.modules)
 
     def __enter__(self) -> Progress:
@@ -35,7 +37,9 @@ class Progress:
         if not self._shown:
             return
         elapsed = time.monotonic() - self._begin
-        if part > 0.01:
+        if self.announced is not None:
+            text += f", {elapsed:.0f} s of about {self.announced:.0f}"
+        elif part > 0.01:
             text += f", {elapsed * (1.0 - part) / part:.0f} s left"
         room = _columns() - 1  # a longer line would break, and stay when it is drawn anew
         bar = min(WIDTH, max(0, room - len(f"{self._what} [] {text}")))

@@ -1,9 +1,10 @@
 """Whole runs, from the pour to the end."""
 from __future__ import annotations
 
+import json
 import math
 import os
-from typing import Any, Mapping, Optional, Sequence, Union
+from typing import Any, Mapping, Optional, Union
 
 import numpy as np
 
@@ -82,7 +83,7 @@ class Exits(np.ndarray):
 class Recording:
     """What pictures need: the frames of a run, and its scene."""
 
-    _warnings: Sequence[str] = ()  # of the run, beside those that follow from its scene
+    _page_summary: Mapping[str, Any] = {}  # of the summary, what its page shows beside its frames
 
     def __init__(self, scene: Scene, frames: Frames, title: str = ""):
         self.scene = scene
@@ -117,7 +118,7 @@ class Recording:
         ending = os.path.splitext(file)[1]
         if ending == ".html":
             _engine.write_page(file, os.path.basename(self.title), self.scene._engine, self.frames._tuples(),
-                               self.frames._others, self._warnings, megabytes)
+                               self.frames._others, json.dumps(self._page_summary), megabytes)
         elif ending == ".pvd":
             from .paraview import write_pvd
 
@@ -152,7 +153,6 @@ class Run(Recording):
         super().__init__(simulation.scene, frames)
         self.simulation = simulation
         self.summary = summary
-        self._warnings = summary.warnings
         self.collisions = collisions
         self.exits = exits
 
@@ -204,7 +204,9 @@ def run(scene: AnyScene, *, until: Optional[Mapping[str, float]] = None, frames:
         warn(warning)
     counts = Collisions(summary["collisions"])
     counts.__dict__["records"] = records
-    return Run(simulation, Summary.of(summary), Frames(scene.species, lists), counts, _exits(left, scene.species))
+    found = Run(simulation, Summary.of(summary), Frames(scene.species, lists), counts, _exits(left, scene.species))
+    found._page_summary = {key: summary[key] for key in ("warnings", "steady", "steady_reason")}
+    return found
 
 
 def _exits(rows: np.ndarray, species: list[str]) -> Exits:

@@ -180,7 +180,9 @@ AnyScene = Union[Scene, str, os.PathLike, Mapping[str, Any]]
 
 
 def scene_of(scene: AnyScene) -> Scene:
-    """A scene as it is, that of a file by its path, or that of a mapping. Raises SceneError, ValueError."""
+    """A scene as it is, that of a file by its path, of a mapping, or of an answer or grains. Raises SceneError,
+    ValueError."""
+    scene = getattr(scene, "scene", scene)
     if isinstance(scene, Scene):
         return scene
     if isinstance(scene, (str, os.PathLike)):

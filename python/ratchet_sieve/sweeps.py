@@ -28,8 +28,8 @@ _ALL = "SELECT * FROM cases"
 def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
           zip: Optional[Mapping[str, Iterable]] = None, cases: Optional[list[Mapping[str, Any]]] = None,
           seeds: Union[int, tuple[int, int], Iterable[int], None] = None,
-          results: Union[str, os.PathLike, None] = None, threads: int = 0, budget: Optional[float] = None,
-          progress: Union[bool, Callable[[int, int, int], Any]] = True) -> pandas.DataFrame:
+          unknown: Any = None, results: Union[str, os.PathLike, None] = None, threads: int = 0,
+          budget: Optional[float] = None, progress: Union[bool, Callable[[int, int, int], Any]] = True) -> pandas.DataFrame:
     """Runs a scene at many settings, as `sieve_sweep run` does: the product of grid, zip, cases and seeds.
 
     scene    a Scene, the path of a scene file, or a mapping
@@ -37,6 +37,7 @@ def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
     zip      dotted key -> values, stepped through together
     cases    one mapping of dotted keys to values for each setting
     seeds    their number, from 1 on, a pair (first, count), or a list of them; None: the scene's own
+    unknown  key -> (low, high), or (value, "±", error at 95 %): each seed draws its own, the same at all settings
     results  file that keeps the results (SQLite); a case that has one there is not run again. None: kept nowhere
     threads  0: one per processor
     budget   wall time [s] after which the runs under way are cut: their rows have the status "cut", and what they
@@ -46,7 +47,8 @@ def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
     read_sweep().
     Raises SceneError, ValueError before any case is run, ResultsError. After Ctrl-C a call with the same file goes on.
     """
-    sweep_of: dict[str, Any] = {"scene": _without_folder(scene_of(scene))}
+    scene = scene_of(scene)
+    sweep_of: dict[str, Any] = {"scene": _without_folder(scene)}
     for name, axes in (("grid", grid), ("zip", zip)):
         if axes is not None and mapping(name, axes, '{"base.inclination": [0.0, 0.1]}'):
             sweep_of[name] = {key: _values(key, values) for key, values in axes.items()}
@@ -55,7 +57,13 @@ def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
     if cases:
         sweep_of["cases"] = [dict(mapping(f"cases[{k}]", case, '{"base.inclination": 0.1}'))
                              for k, case in enumerate(cases)]
-    if seeds is not None:
+    if unknown is not None:
+        from .answers.unknown import prior_of
+
+        drawn = prior_of(scene, unknown)
+        sweep_of["cases"] = [case for each in sweep_of.get("cases", [{}])
+                             for case in drawn.cases_of(each, _listed(seeds, scene["seed"]))]
+    elif seeds is not None:
         sweep_of["seed"] = _seeds(seeds)
     threads, kept = integer("threads", threads), None if results is None else path_of("results", results)
     seconds = None if budget is None else number("budget", budget, 0.0, unit="s")
@@ -109,6 +117,12 @@ def _seeds(seeds: Any) -> Any:
     return {"first": 1, "count": integer("seeds", seeds, 1)}
 
 
+def _listed(seeds: Any, own: int) -> Iterable[int]:
+    """@param own the scene's. Raises ValueError."""
+    found = [own] if seeds is None else _seeds(seeds)
+    return range(found["first"], found["first"] + found["count"]) if isinstance(found, dict) else found
+
+
 def read_sweep(path: Union[str, os.PathLike]) -> pandas.DataFrame:
     """All cases of a results file: columns for the swept keys and for each number of the summary, named as in
     docs/sweeps.md (mean_vx.A, purity.left.number.A). SI units; undefined values are NaN, pandas' word for none.
@@ -129,7 +143,9 @@ def _read(path: str, query: str, parameters: tuple) -> pandas.DataFrame:
     try:
         connection = sqlite3.connect(f"{file.as_uri()}?{mode}", uri=True)
         try:
-            table = pandas.read_sql_query(query, connection, params=parameters)
+            cursor = connection.execute(query, parameters)
+            table = pandas.DataFrame.from_records(
+                cursor.fetchall(), columns=[column[0] for column in cursor.description], coerce_float=True)
         finally:
             connection.close()
         # SQLite has a seed of 2**63 or more as a text; version 1.0 rounded it, but for the summary's.
@@ -139,6 +155,8 @@ def _read(path: str, query: str, parameters: tuple) -> pandas.DataFrame:
         table = table.drop(columns=["summary"], errors="ignore")
         # pandas takes a column in which no value is defined for one of texts. The copy is in one piece: to a table of
         # many pieces pandas adds a column with a warning.
-        return table.astype({name: float for name in table if table[name].isna().all() and name != "error"}).copy()
-    except (sqlite3.Error, pandas.errors.DatabaseError) as error:
+        undefined = table.columns[table.isna().all()].drop("error", errors="ignore")
+        parts = table.drop(columns=undefined), table[undefined].astype(float)  # column by column takes ten times as long
+        return pandas.concat(parts, axis=1)[list(table)].copy()
+    except sqlite3.Error as error:
         raise ResultsError(f"{path}: no results of a sweep: {error}") from error

@@ -12,6 +12,8 @@ import pandas
 
 from ratchet_sieve import stats
 
+QUALITIES = QUALITY, STEADY_QUALITY = "quality", "steady.quality.value"  # Q since the start, and of the filled machine
+
 
 class Refusal(Exception):
     """An error of reading or drawing, in one line."""
@@ -161,9 +163,9 @@ class Rows:
 
     def mean(self, field):
         """The mean over the runs, which are independent: their seeds differ. None where no run defines the field.
-        Of `quality` and `steady.quality.value` it is |mean separation|, with the error of that mean: the mean of Q
+        Of QUALITIES it is |mean separation|, with the error of that mean: the mean of Q
         itself is never 0."""
-        signed = field.replace("quality", "separation") if field in ("quality", "steady.quality.value") else None
+        signed = field.replace("quality", "separation") if field in QUALITIES else None
         if signed in self.frame:
             mean = self.mean(signed)
             return mean and dataclasses.replace(mean, value=abs(mean.value))

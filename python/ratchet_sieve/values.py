@@ -18,7 +18,8 @@ UNITS: dict[str, Any] = {
     "simulated_time": "s", "wall_time": "s", "base_impulse": "N s", "max_overlap": "m", "throughput": "1/s",
     "species": OF_SPECIES,
     "accuracy": {"reached": "", "confidence": "", "transient": "s", "mean_vx": "m/s", "quality": "", "separation": ""},
-    "steady": {**dict.fromkeys(("separation", "quality", "purity", "recovery", "inside"), ""), "from": "s",
+    "steady_needs": "s",
+    "steady": {**dict.fromkeys(("separation", "separation_by_mass", "quality", "purity", "recovery", "inside"), ""), "from": "s",
                "throughput": {"mass": "kg/s", "number": "1/s"}, "exits": {"mass": "kg", "number": ""}},
     "residence_times": {"count": "", **dict.fromkeys(
         ("mean", "standard_deviation", "quantile_10", "median", "quantile_90", "from", "to"), "s")},

@@ -141,17 +141,17 @@ void Simulation::setThreads(std::size_t threads)
 
 std::vector<SpeciesBins> Simulation::bins() const
 {
-  return engine_->state().log().bins();
+  return engine_->observers().bins().ofSpecies();
 }
 
 void Simulation::keepExits(double length)
 {
-  engine_->state().log().keepExits(length, time());
+  engine_->observers().exits().keep(length, time());
 }
 
 ExitWindow Simulation::exitWindow(double not_before) const
 {
-  return engine_->state().log().exitWindow(time(), not_before);
+  return engine_->observers().exits().window(time(), not_before);
 }
 
 const CollisionCounts& Simulation::collisions() const
@@ -161,7 +161,7 @@ const CollisionCounts& Simulation::collisions() const
 
 FaceContacts Simulation::faceContacts() const
 {
-  return engine_->state().log().faceContacts();
+  return engine_->observers().faceContacts();
 }
 
 std::uint64_t Simulation::events() const
@@ -183,7 +183,7 @@ const std::vector<SizeClass>& Simulation::sizeClasses() const
 
 const std::vector<SpeciesBins>& Simulation::sizeClassBins() const
 {
-  return engine_->state().log().sizeClassBins();
+  return engine_->observers().bins().ofSizeClasses();
 }
 
 std::vector<SpeciesMeans> Simulation::sizeClassMeans() const
@@ -195,7 +195,7 @@ std::vector<SpeciesMeans> Simulation::sizeClassMeans() const
 
 std::vector<Observed> Simulation::observed() const
 {
-  return engine_->state().log().observed(engine_->now(), engine_->settled());
+  return engine_->observers().observed(engine_->now(), engine_->settled());
 }
 
 double Simulation::blockEnd(std::uint64_t blocks) const

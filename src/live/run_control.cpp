@@ -40,6 +40,15 @@ private:
   Run& run_;
 };
 
+/// What a drive was asked and, where that is another value, what it gives the base.
+CommandFrame driveCommand(const Drives& drives, Quantity quantity)
+{
+  CommandFrame command = setpointCommand(quantity, drives.asked(quantity));
+  if (drives.output(quantity) != drives.asked(quantity))
+    command.values.push_back(drives.output(quantity));
+  return command;
+}
+
 /// The scene with its base as it moves now.
 SceneDefinition withBase(SceneDefinition scene, const DriveState& base)
 {
@@ -63,7 +72,9 @@ RunControl::RunControl(const YAML::Node& scene, const std::string& source, const
   const Scene read = readScene(0, {});
   scene_warnings_ = read.warnings;
   announce(read);
-  run_ = makeRun(read.definition, {slewRateCommand(parameters_.slew_rates)}, 0.0, read.definition.duration);
+  drives_.emplace(parameters_.drives, read.definition.base, 0.0);
+  run_ = makeRun(read.definition, openingOf(*drives_), 0.0, read.definition.duration);
+  sensors_ = makeSensors(parameters_.sensors, run_->simulation());
   run_->setUnderWay(!paused_);
 }
 
@@ -85,9 +96,35 @@ std::unique_ptr<Run> RunControl::makeRun(const SceneDefinition& scene, std::vect
   auto run = std::make_unique<Run>(std::move(simulation), end_time);
   for (FrameSink* sink : sinks_)
     run->add(*sink, parameters_.rates);
-  run->observeExits(exit_observer_);
+  watchExits(*run);
   run->open(std::move(opening));
   return run;
+}
+
+/// What holds from the start: the slew rates, and what the drives give a base that stands where they were
+/// asked.
+std::vector<CommandFrame> RunControl::openingOf(const Drives& drives) const
+{
+  std::vector<CommandFrame> opening = {slewRateCommand(parameters_.slew_rates)};
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    if (drives.output(q.quantity) != drives.asked(q.quantity))
+      opening.push_back(driveCommand(drives, q.quantity));
+  return opening;
+}
+
+void RunControl::watchExits(Run& run)
+{
+  const auto& kinds = parameters_.sensors;
+  if (std::none_of(kinds.begin(), kinds.end(), [](const auto& kind) { return kind.has_value(); }))
+    return run.observeExits(exit_observer_);
+  run.observeExits(
+      [this](const ExitRecord& exit)
+      {
+        for (Sensor& sensor : sensors_)
+          sensor.take(exit);
+        if (exit_observer_)
+          exit_observer_(exit);
+      });
 }
 
 void RunControl::addSink(FrameSink& sink)
@@ -99,7 +136,7 @@ void RunControl::addSink(FrameSink& sink)
 void RunControl::observeExits(ExitObserver observer)
 {
   exit_observer_ = std::move(observer);
-  run_->observeExits(exit_observer_);
+  watchExits(*run_);
 }
 
 Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const
@@ -124,6 +161,7 @@ void RunControl::begin()
   if (recording_.on())
     run_->add(recording_, recording_.rates());
   run_->takeDue();
+  readSensors();
 }
 
 void RunControl::end()
@@ -210,11 +248,37 @@ Outcome RunControl::advance(double duration, const Stride& stride)
                                 target - run_->time())};
 }
 
-void RunControl::begin(std::unique_ptr<Run> run)
+void RunControl::advanceTo(double time)
+{
+  run_->advanceTo(std::min({time, drives_->nextTime(), nextTime(sensors_)}));
+  if (run_->time() >= drives_->nextTime())
+  {
+    drives_->advanceTo(run_->time());
+    followDrives();
+  }
+  readSensors();
+}
+
+void RunControl::followDrives()
+{
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    if (drives_->output(q.quantity) != run_->simulation().base().*q.commanded)
+      run_->applyCommand(driveCommand(*drives_, q.quantity));
+}
+
+void RunControl::readSensors()
+{
+  for (Sensor& sensor : sensors_)
+    sensor.read(run_->simulation(), sensor_observer_);
+}
+
+void RunControl::begin(std::unique_ptr<Run> run, const Drives& drives)
 {
   run_->takeAll();
   recording_.openNext();
   run_ = std::move(run);
+  drives_ = drives;
+  sensors_ = makeSensors(parameters_.sensors, run_->simulation());
   run_->setUnderWay(!paused_);
   begin();
 }
@@ -226,8 +290,8 @@ Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& ov
     const Scene scene = readScene(seed, overrides);
     const double start = keep_time ? run_->time() : 0.0;
     announce(scene);
-    begin(makeRun(scene.definition, {slewRateCommand(parameters_.slew_rates)}, start,
-                  start + scene.definition.duration));
+    const Drives drives(parameters_.drives, scene.definition.base, start);
+    begin(makeRun(scene.definition, openingOf(drives), start, start + scene.definition.duration), drives);
     scene_warnings_ = scene.warnings;
     return {};
   }
@@ -248,11 +312,12 @@ Outcome RunControl::resetWorld()
     const DriveState base = run_->simulation().base();
     std::vector<CommandFrame> opening = {slewRateCommand(parameters_.slew_rates)};
     for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-      opening.push_back(setpointCommand(q.quantity, base.*q.commanded));
+      opening.push_back(driveCommand(*drives_, q.quantity));
     const SceneDefinition scene = withBase(run_->simulation().scene(), base);
     // Disks poured at the end of a run get the same duration as the first.
     const bool at_end = run_->time() >= run_->endTime();
-    begin(makeRun(scene, opening, run_->time(), at_end ? run_->time() + scene.duration : run_->endTime()));
+    const double end = at_end ? run_->time() + scene.duration : run_->endTime();
+    begin(makeRun(scene, opening, run_->time(), end), *drives_);
     return {};
   }
   catch (const std::invalid_argument& error)
@@ -288,15 +353,48 @@ Outcome RunControl::pour(const std::string& species, std::size_t count, const st
   return {};
 }
 
-double RunControl::commanded(Quantity quantity) const
-{
-  return run_->simulation().base().*describe(quantity).commanded;
-}
-
 void RunControl::command(Quantity quantity, double value)
 {
-  run_->applyCommand(setpointCommand(quantity, value));
+  drives_->ask(quantity, value, run_->time());
+  drives_->advanceTo(run_->time());
+  run_->applyCommand(driveCommand(*drives_, quantity));
+  followDrives();
   run_->show(run_->now<BaseFrame>());
+}
+
+Outcome RunControl::fault(const std::string& part, const std::string& fault)
+{
+  std::vector<std::string> parts, faults;
+  const auto note = [&](const std::string& name, const std::vector<std::string>& its_faults)
+  {
+    parts.push_back(name);
+    if (name == part)
+      faults = its_faults;
+  };
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    note(q.name, Drives::faults(q.quantity));
+  for (const Sensor& sensor : sensors_)
+    note(sensor.info().name, sensor.faults());
+  if (faults.empty())
+    return {false, fmt::format("part {}: must be one of {}", shownText(part), fmt::join(parts, ", "))};
+  if (std::find(faults.begin(), faults.end(), fault) == faults.end())
+    return {false, fmt::format("fault {}: must be one of {}", shownText(fault), fmt::join(faults, ", "))};
+  for (Sensor& sensor : sensors_)
+    if (part == sensor.info().name)
+      sensor.setFault(fault);
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    if (part == q.name)
+      drives_->setFault(q.quantity, fault, run_->simulation().base().*q.applied);
+  followDrives();
+  return {};
+}
+
+Outcome RunControl::tare(const std::string& name)
+{
+  for (Sensor& sensor : sensors_)
+    if (name == sensor.info().name)
+      sensor.tare();
+  return {};
 }
 
 }  // namespace ratchet_sieve

@@ -138,7 +138,7 @@ void RunOutputs::open(const RunArguments& arguments)
     // The name of the scene's file, without the folders of its writer.
     add(*page_, pageRates(arguments.page_rate),
         [this, scene = std::filesystem::path(arguments.scene).filename().string()]
-        { page_->write(std::move(*page_file_), scene, warnings_); });
+        { page_->write(std::move(*page_file_), scene, page_summary_); });
   }
 }
 
@@ -158,9 +158,9 @@ void RunOutputs::watch(Simulation& simulation, RunWatchers& watchers)
   watchers.frames = streams_;
 }
 
-bool RunOutputs::finish(const nlohmann::ordered_json& summary, const std::vector<std::string>& warnings)
+bool RunOutputs::finish(const nlohmann::ordered_json& summary)
 {
-  warnings_ = warnings;
+  page_summary_ = summary;
   attempts_.attempt([&] { writeSummary(summary.dump(2) + "\n"); });
   if (collisions_)
     attempts_.attempt([this] { collisions_->commit(); });

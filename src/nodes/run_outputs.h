@@ -31,7 +31,7 @@ public:
   void watch(Simulation& simulation, RunWatchers& watchers);
 
   /// Finishes the files, the summary first. @return whether all were written completely
-  bool finish(const nlohmann::ordered_json& summary, const std::vector<std::string>& warnings);
+  bool finish(const nlohmann::ordered_json& summary);
 
 private:
   class GuardedSink;
@@ -49,7 +49,7 @@ private:
   std::unique_ptr<AtomicFile> page_file_;
   std::vector<std::unique_ptr<GuardedSink>> sinks_;
   std::vector<FrameStream> streams_;
-  std::vector<std::string> warnings_;  ///< of the page
+  nlohmann::ordered_json page_summary_;
   OutputAttempts attempts_{"sieve_run"};
 };
 

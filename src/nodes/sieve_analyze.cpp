@@ -59,7 +59,7 @@ void requireDistinctFiles(const Arguments& arguments)
 
 void writePage(const RunPage& page, AtomicFile& file, const Arguments& arguments)
 {
-  page.write(std::move(file), std::filesystem::path(arguments.bags.front()).filename(), {});
+  page.write(std::move(file), std::filesystem::path(arguments.bags.front()).filename());
   print("\nPage: " + arguments.page.path + "\n");
 }
 

@@ -188,7 +188,7 @@ int run(const RunArguments& arguments)
   const bool through = outcome.end != RunEnd::STOPPED && outcome.end != RunEnd::STALLED;
   nlohmann::ordered_json summary = summarize(simulation, outcome);
   const bool checked = !arguments.check_floor || !through || checkFloor(scene.definition, summary);
-  const bool complete = outputs.finish(summary, outcome.warnings);
+  const bool complete = outputs.finish(summary);
   if (complete)
     std::fprintf(stderr, "sieve_run: %s%s\n", resultText(summary).c_str(), writtenText(arguments).c_str());
   return through && not_saved.empty() && checked && complete ? DONE : FAILED;

@@ -99,7 +99,7 @@ OpenRecord casePages(const PageArguments& arguments, const std::string& sweep)
     auto page = std::make_unique<RunPage>(bytes);
     const std::string path = folder + '/' + runHash(sweep_case.scene) + ".html";
     const auto keep = [&run = *page, path, title = titleOf(sweep, sweep_case)](
-                          const std::vector<std::string>& warnings) { run.write(path, title, warnings); };
+                          const nlohmann::ordered_json& summary) { run.write(path, title, summary); };
     return CaseRecord{std::move(page), pageRates(PAGE_RATE), keep};
   };
 }

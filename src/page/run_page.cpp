@@ -204,8 +204,7 @@ void RunPage::take(const AnyFrame& any)
       commands_.push_back(*command);
 }
 
-void RunPage::write(AtomicFile&& file, const std::string& title,
-                    const std::vector<std::string>& warnings) const
+void RunPage::write(AtomicFile&& file, const std::string& title, const Json& summary) const
 {
   const RunResult result = analysis_.result();
   const SceneDefinition& scene = scene_.definition;
@@ -216,13 +215,15 @@ void RunPage::write(AtomicFile&& file, const std::string& title,
                    {"seed", result.scene_frame.seed},
                    {"version", result.scene_frame.version}};
   json["plan"] = planText(planOf(scene));
-  std::vector<std::string> all_warnings = warnings;
+  json["warnings"] = summary.value("warnings", Json::array());
   for (const std::string& warning : scene_.warnings)
-    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-      all_warnings.push_back(warning);
-  json["warnings"] = all_warnings;
+    if (std::find(json["warnings"].begin(), json["warnings"].end(), warning) == json["warnings"].end())
+      json["warnings"].push_back(warning);
   json["results"] = reportJson(result);
   json["units"] = unitsOf(result.observed);
+  for (const char* key : {"steady", "steady_reason"})
+    if (summary.contains(key))
+      json["results"][key] = summary.at(key);
   json["machine"] = machinePart(scene);
   json["commands"] = commandsPart(commands_, scene);
   json["commands_taken"] = commands_taken_;

@@ -101,14 +101,15 @@ Doubles table(const std::vector<std::size_t>& shape)
 /// What is read of each simulation at the end of a step.
 struct Readings
 {
-  Readings(std::size_t rows, std::size_t species_count, std::size_t cell_count)
+  Readings(std::size_t rows, std::size_t species_count, std::size_t cell_count, std::size_t sensed)
       : species(species_count),
         cells(cell_count),
         time(table({rows})),
         bins(table({rows, species, fieldNames<SpeciesBins>().size()})),
         base(table({rows, fieldNames<DriveState>().size()})),
         mean_vx(table({rows, species})),
-        histogram(table({rows, species, cells}))
+        histogram(table({rows, species, cells})),
+        sensors(table({rows, sensed}))
   {
   }
 
@@ -139,12 +140,13 @@ struct Readings
     writeFields(drive, base.mutable_data(row));
     writeVelocities(before, disks, simulation->time() - start, species, mean_vx.mutable_data(row));
     writeHistogram(disks, drive, simulation->scene().base.width(), cells, histogram.mutable_data(row));
+    std::copy(running.sensed().begin(), running.sensed().end(), sensors.mutable_data(row));
     return collapse;
   }
 
   std::size_t species;
   std::size_t cells;
-  Doubles time, bins, base, mean_vx, histogram;  ///< with a row for each simulation
+  Doubles time, bins, base, mean_vx, histogram, sensors;  ///< with a row for each simulation
 };
 
 /// Does a job for each k below `count` on several threads, each of which takes the next one until none is
@@ -217,7 +219,8 @@ py::tuple stepMany(const std::vector<std::shared_ptr<RunningSimulation>>& simula
   for (std::size_t k = 0; k < count; ++k)
     for (std::size_t q = 0; q < names.size(); ++q)
       commands[k][names[q]] = setpoints.data()[k * names.size() + q];
-  Readings readings(count, simulations.front()->scene()->definition.species.size(), cells);
+  const RunningSimulation& first = *simulations.front();
+  Readings readings(count, first.scene()->definition.species.size(), cells, first.sensed().size());
   std::vector<std::string> collapses(count);
   shareOut(count, threads,
            [&](std::size_t k, const StopWanted& stop_wanted)
@@ -231,6 +234,7 @@ py::tuple stepMany(const std::vector<std::shared_ptr<RunningSimulation>>& simula
   columns["base"] = readings.base;
   columns["mean_vx"] = readings.mean_vx;
   columns["histogram"] = readings.histogram;
+  columns["sensors"] = readings.sensors;
   return py::make_tuple(columns, texts);
 }
 
@@ -259,6 +263,11 @@ void bindControl(py::module_& module)
   module.attr("BIN_FIELDS") = py::tuple(py::cast(fieldNames<SpeciesBins>()));
   module.attr("DISK_FIELDS") = py::tuple(py::cast(fieldNames<DiskState>()));
   module.attr("BASE_FIELDS") = py::tuple(py::cast(fieldNames<DriveState>()));
+  module.def(
+      "sensed_names",
+      [](const std::string& sensors, const std::shared_ptr<Scene>& scene)
+      { return sensedNames(sensorsFromText(sensors), scene->definition); },
+      py::arg("sensors"), py::arg("scene"));
   module.def("step_many", &stepMany, py::arg("simulations"), py::arg("names"), py::arg("setpoints"),
              py::arg("times"), py::arg("cells"), py::arg("threads"));
 }

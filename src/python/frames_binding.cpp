@@ -77,9 +77,9 @@ void writeTrajectory(const std::string& path, const Scene& scene, const py::list
 }
 
 /// @param frames see handOver() @param others further frames of the run, as run() returns them
+/// @param summary see RunPage::write(), as JSON
 void writePageOf(const std::string& path, const std::string& title, const Scene& scene,
-                 const py::list& frames, const py::list& others, const std::vector<std::string>& warnings,
-                 double megabytes)
+                 const py::list& frames, const py::list& others, const std::string& summary, double megabytes)
 {
   const double size = BYTES_PER_MB * megabytes;
   if (!(size >= SMALLEST_PAGE && size <= LARGEST_PAGE))
@@ -92,7 +92,7 @@ void writePageOf(const std::string& path, const std::string& title, const Scene&
       page.take(other.cast<StatisticsFrame>());
     else
       page.take(other.cast<ObservedFrame>());
-  page.write(path, title, warnings);
+  page.write(path, title, nlohmann::ordered_json::parse(summary));
 }
 
 using OfferedParts = std::tuple<std::string, std::string, std::string, Scene>;
@@ -129,7 +129,7 @@ void bindFrames(py::module_& module)
   bindKept<ObservedFrame>(module, "_ObservedFrame");
   module.def("write_trajectory", &writeTrajectory, py::arg("path"), py::arg("scene"), py::arg("frames"));
   module.def("write_page", &writePageOf, py::arg("path"), py::arg("title"), py::arg("scene"),
-             py::arg("frames"), py::arg("others"), py::arg("warnings"), py::arg("megabytes"));
+             py::arg("frames"), py::arg("others"), py::arg("summary"), py::arg("megabytes"));
   py::class_<NamedFile>(module, "NamedFile")
       .def(py::init(
           [](const std::string& name, const std::string& path) {

@@ -13,10 +13,10 @@
 #include <pybind11/stl.h>
 
 #include "bindings.h"
-#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/summary.h"
+#include "ratchet_sieve/statistics/segregation.h"
 #include "ratchet_sieve/sweep/result_store.h"
 #include "ratchet_sieve/sweep/sweep.h"
 #include "ratchet_sieve/sweep/sweep_run.h"

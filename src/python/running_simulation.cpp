@@ -1,11 +1,13 @@
 #include "running_simulation.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 #include <pybind11/pybind11.h>
 
+#include "ratchet_sieve/live/plant_reader.h"
 #include "ratchet_sieve/recording/checkpoint.h"
 
 namespace ratchet_sieve
@@ -121,11 +123,45 @@ void RunningSimulation::pour(std::size_t species, std::size_t count,
   stoppable([&](const PourObserver& observer) { simulation->pour(species, count, stretch, observer); });
 }
 
+SensorParameters sensorsFromText(const std::string& yaml)
+{
+  return readSensors(copyWithoutLines(copyableYaml(yaml, "sensors")), "sensors");
+}
+
+void RunningSimulation::sense(const std::string& sensors)
+{
+  const SensorParameters parameters = sensorsFromText(sensors);
+  Use simulation(*this);
+  sensors_ = makeSensors(parameters, *simulation);
+  sensed_.assign(sensedNames(parameters, simulation->scene()).size(), 0.0);
+  simulation->observeExits(
+      [this](const ExitRecord& exit)
+      {
+        for (Sensor& sensor : sensors_)
+          sensor.take(exit);
+      });
+  readSensors(*simulation);
+}
+
+void RunningSimulation::readSensors(const Simulation& simulation)
+{
+  auto place = sensed_.begin();
+  for (Sensor& sensor : sensors_)
+  {
+    sensor.read(simulation, [place](const Sensor&, const Reading& reading)
+                { std::copy(reading.values.begin(), reading.values.end(), place); });
+    place += sensor.width();
+  }
+}
+
 void RunningSimulation::advanceTo(double time, const std::function<bool()>& stop_wanted)
 {
   Use simulation(*this);
   while (simulation->time() < time && !stop_wanted())
-    stride_.advance(*simulation, time);
+  {
+    stride_.advance(*simulation, std::min(time, nextTime(sensors_)));
+    readSensors(*simulation);
+  }
 }
 
 }  // namespace ratchet_sieve

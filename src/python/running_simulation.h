@@ -9,10 +9,12 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <pybind11/pybind11.h>
 
 #include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/live/sensors.h"
 #include "ratchet_sieve/recording/stride.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
@@ -55,6 +57,9 @@ private:
   bool stop_wanted_ = false;
 };
 
+/// Reads the sensors of rs.env. @throws SceneError
+SensorParameters sensorsFromText(const std::string& yaml);
+
 /// A simulation that Python holds: one thread at a time uses it.
 class RunningSimulation
 {
@@ -92,15 +97,25 @@ public:
   /// Pours more disks, with Python's lock let go; a signal cancels it. @throws as Simulation
   void pour(std::size_t species, std::size_t count, const std::optional<std::pair<double, double>>& between);
 
+  /// Sensors that read from now on. Takes the observer of exits. @param sensors YAML @throws SceneError
+  void sense(const std::string& sensors);
+
+  /// What each sensor sent last, one after the other: kg, disks of each species, or disks; zeros before.
+  const std::vector<double>& sensed() const { return sensed_; }
+
   /// Advances until `stop_wanted`, which is asked every few hundredths of a second. The simulation then
   /// stands at an earlier time and may be used as before. @pre Python's lock is let go @throws StallError
   void advanceTo(double time, const std::function<bool()>& stop_wanted);
 
 private:
+  void readSensors(const Simulation& simulation);
+
   std::shared_ptr<Scene> scene_;
   std::unique_ptr<Simulation> simulation_;
   std::atomic<bool> in_use_{false};
   Stride stride_;
+  std::vector<Sensor> sensors_;
+  std::vector<double> sensed_;
 };
 
 }  // namespace ratchet_sieve

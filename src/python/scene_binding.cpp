@@ -81,8 +81,8 @@ void bindScene(py::module_& module)
       .def_property_readonly("hash", [](const Scene& scene) { return sceneHash(scene.definition); })
       .def_property_readonly("run_hash", [](const Scene& scene) { return runHash(scene.definition); })
       .def_property_readonly("species", [](const Scene& scene) { return speciesNames(scene.definition); })
-      .def_property_readonly("throws", [](const Scene& scene)
-                             { return peakLift(scene.definition.base) >= scene.definition.gravity; })
+      .def_property_readonly("lift", [](const Scene& scene)
+                             { return peakLift(scene.definition.base) / scene.definition.gravity; })
       .def_property_readonly("mean_masses",
                              [](const Scene& scene)
                              {

@@ -81,6 +81,7 @@ void bindSimulation(py::module_& module)
       .def("command", &RunningSimulation::command, py::arg("setpoints"))
       .def("set_slew_rates", &setSlewRates, py::arg("inclination"), py::arg("frequency"),
            py::arg("amplitude"))
+      .def("sense", &RunningSimulation::sense, py::arg("sensors"))
       .def("pour", &RunningSimulation::pour, py::arg("species"), py::arg("count"), py::arg("between"))
       .def("disks", &disks)
       .def("time", read(&Simulation::time))

@@ -25,6 +25,10 @@ constexpr double LARGEST_STATISTIC = 0.74346;
 /// A change of the mean from the second to the last quarter is told from noise at this many standard errors.
 constexpr double CLEAR_CHANGE = 2.0;
 
+/// Residence times that are looked for: at most this many lengths of the series, by so many halvings.
+constexpr double LONGEST_STAY = 100.0;
+constexpr int HALVINGS = 30;
+
 /// The blocks less a straight line through their deviations from the mean.
 std::vector<BlockSum> withoutTrend(std::vector<BlockSum> blocks)
 {
@@ -107,21 +111,39 @@ Flow operator+(Flow a, const Flow& b)
   return a;
 }
 
-/// 1: the number inside rises; -1: it falls; 0: neither shows.
-int directionOf(const Flow& flow)
+/// How clearly the number inside rises (above 0) or falls from the second to the last quarter of a series:
+/// the change of its mean beyond what may be noise; 0: neither shows.
+double clearChange(const Flow& flow)
 {
   const std::size_t quarter = flow.inside.size() / 4;
   const auto of_quarter = [&](std::size_t k)
   {
     return sumOf({flow.inside.begin() + static_cast<std::ptrdiff_t>(k * quarter),
-                  flow.inside.begin() + static_cast<std::ptrdiff_t>((k + 1) * quarter)})
-        .sum;
+                  flow.inside.begin() + static_cast<std::ptrdiff_t>((k + 1) * quarter)});
   };
-  const double change = of_quarter(3) - of_quarter(1);
-  const double error = std::sqrt(2.0 * static_cast<double>(quarter) * flow.queueNoise());
-  if (std::abs(change) <= CLEAR_CHANGE * error)
-    return 0;
-  return change > 0.0 ? 1 : -1;
+  const double change = of_quarter(3).sum - of_quarter(1).sum;
+  const double noise = CLEAR_CHANGE * std::sqrt(2.0 * static_cast<double>(quarter) * flow.queueNoise());
+  return std::copysign(std::max(std::abs(change) - noise, 0.0), change) / of_quarter(3).weight;
+}
+
+/// The residence time of a machine that fills as N (1 - exp(-t / τ)), at least: τ [s]. Then N is τ times the
+/// rate of what comes in, and the rise from the second to the last quarter tells τ.
+double leastResidence(const Flow& flow)
+{
+  const double length = sumOf(flow.inside).weight;
+  const double rise = std::max(clearChange(flow), 0.0);
+  const BlockSum last = flow.inside.back();
+  const double rate = (sumOf(flow.exits).weight + last.sum / last.weight) / length;
+  double low = 0.0;
+  double high = LONGEST_STAY * length;
+  for (int k = 0; k < HALVINGS; ++k)
+  {
+    const double stay = 0.5 * (low + high);
+    const double left = std::exp(-0.25 * length / stay);
+    const double expected = rate * stay * stay / (0.25 * length) * left * (1.0 - left) * (1.0 - left * left);
+    (expected < rise ? low : high) = stay;
+  }
+  return low;
 }
 
 /// Searches the cut.
@@ -137,15 +159,18 @@ public:
   Filling found() const
   {
     const std::size_t count = flows_.front().inside.size();
-    if (count < 2 * BlockAverages::MIN_BLOCKS)
-      return {std::nullopt, tooShort(2.0 * BlockAverages::MIN_BLOCKS * series_.block_time)};
+    if (const double least = 2.0 * BlockAverages::MIN_BLOCKS * series_.block_time;
+        count < 2 * BlockAverages::MIN_BLOCKS)
+      return {std::nullopt, tooShort(least), least};
     std::size_t cut = 0;
     std::vector<Noise> noises;
+    double needs = 0.0;
     for (const Flow& flow : flows_)
     {
       cut = std::max(cut, steadyFrom(flow.inside));
       const Flow half = flow.from(count / 2);
       noises.push_back({noiseOf(half.inside), noiseOf(half.exits)});
+      needs = std::max(needs, 2.0 * RESIDENCES_TO_FILL * std::max(half.residence(), leastResidence(flow)));
     }
     std::string reason;
     for (; 2 * cut <= count; cut += std::max<std::size_t>(1, count / CUTS))
@@ -154,7 +179,7 @@ public:
       if (reason.empty())
         return {cut, ""};
     }
-    return {std::nullopt, reason};
+    return {std::nullopt, reason, needs > end() - series_.start ? std::optional(needs) : std::nullopt};
   }
 
 private:
@@ -201,15 +226,15 @@ private:
     for (std::size_t s = 1; s < flows_.size(); ++s)
       all = all + flows_[s];
     const BlockSum last = all.inside.back();
-    const auto text = [&](int direction, const std::string& of)
+    const auto text = [&](double change, const std::string& of)
     {
-      return fmt::format("still {}: {:.0f} inside after {:.0f} s{}{}", direction > 0 ? "filling" : "emptying",
-                         last.sum / last.weight, end(), of, direction > 0 ? "rising" : "falling");
+      return fmt::format("still {}: {:.0f} inside after {:.0f} s{}{}", change > 0.0 ? "filling" : "emptying",
+                         last.sum / last.weight, end(), of, change > 0.0 ? "rising" : "falling");
     };
-    if (const int direction = directionOf(all); direction != 0)
-      return text(direction, " and ");
-    if (const int direction = directionOf(flows_[species]); direction != 0)
-      return text(direction, ", " + names_[species] + " ");
+    if (const double change = clearChange(all); change != 0.0)
+      return text(change, " and ");
+    if (const double change = clearChange(flows_[species]); change != 0.0)
+      return text(change, ", " + names_[species] + " ");
     return otherwise;
   }
 

@@ -191,8 +191,9 @@ void requireLegal(const CommandFrame& command)
   const std::vector<double>& values = command.values;
   if (const auto quantity = setpointQuantity(command.kind))
   {
-    requireCount(values, 1);
-    requireWithin(values[0], describe(*quantity).legal);
+    requireCount(values, values.size() == 2 ? 2 : 1);
+    for (const double value : values)
+      requireWithin(value, describe(*quantity).legal);
   }
   if (command.kind == CommandKind::SLEW_RATES)
   {
@@ -211,7 +212,7 @@ void requireLegal(const CommandFrame& command)
 void apply(const CommandFrame& command, Simulation& simulation)
 {
   if (const auto quantity = setpointQuantity(command.kind))
-    return simulation.command(*quantity, command.values[0]);
+    return simulation.command(*quantity, command.values.back());
   switch (command.kind)
   {
     case CommandKind::SLEW_RATES:

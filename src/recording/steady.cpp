@@ -169,6 +169,14 @@ private:
   double correlation_ = 1.0;      ///< the largest of the species'
 };
 
+/// With the distances to the farther ends of both intervals, added as Newcombe does.
+std::optional<Estimate> difference(const std::optional<Estimate>& a, const std::optional<Estimate>& b)
+{
+  if (!a || !b)
+    return std::nullopt;
+  return Estimate{a->value - b->value, std::hypot(a->half_width, b->half_width)};
+}
+
 /// Why no steady state can be looked for; empty if it can.
 std::string whyNone(const Simulation& simulation)
 {
@@ -190,7 +198,7 @@ Steadiness steadinessOf(const Simulation& simulation)
   const FlowSeries series = simulation.flowSeries();
   const Filling filling = fillingOf(series, speciesNames(scene));
   if (!filling.blocks)
-    return {std::nullopt, filling.reason};
+    return {std::nullopt, filling.reason, filling.needs};
   const SteadyPart part(series, *filling.blocks, scene);
   SteadyState state;
   state.from = series.start + static_cast<double>(*filling.blocks) * series.block_time;
@@ -207,6 +215,9 @@ Steadiness steadinessOf(const Simulation& simulation)
   state.throughput = part.throughput();
   state.mass_throughput = part.massThroughput();
   state.species = part.species();
+  if (state.pair)
+    state.separation_by_mass = difference(state.species[state.pair->first].left.recovery.mass,
+                                          state.species[state.pair->second].left.recovery.mass);
   return {state, ""};
 }
 

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/recording/certainty.h"
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/recording/steady.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/statistics/segregation.h"
 
 namespace ratchet_sieve
 {
@@ -131,6 +131,7 @@ Json steadyParts(const std::vector<std::string>& names, const SteadyState& stead
   Json json{
       {"from", steady.from},
       {"separation", estimateOrNull(steady.separation)},
+      {"separation_by_mass", estimateOrNull(steady.separation_by_mass)},
       {"quality", estimateOrNull(quality)},
       {"purity", portionParts(names, steady, &SteadyBin::purity)},
       {"recovery", portionParts(names, steady, &SteadyBin::recovery)},
@@ -153,6 +154,7 @@ void addSteady(Json& json, const Simulation& simulation, const RunOutcome& outco
   const Steadiness found = outcome.steadiness ? *outcome.steadiness : steadinessOf(simulation);
   json["steady"] = nullptr;
   json["steady_reason"] = nullptr;
+  json["steady_needs"] = found.needs ? Json(*found.needs) : Json();
   if (found.state)
     json["steady"] = steadyParts(speciesNames(simulation.scene()), *found.state);
   else

@@ -48,12 +48,14 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
                                                                      ros::TransportHints().tcpNoDelay()));
   }
   offerServices(private_node);
+  if (parameters.sensors[static_cast<std::size_t>(SensorKind::SCALE)])
+    offerTares(private_node);
 }
 
 /// Advertises a service. Setpoints received before its call are applied before it. @param handle of a request
 /// and its response; may return whether it succeeded, where the response has no field for that
 template <typename Service, typename Handle>
-void CommandServer::offer(ros::NodeHandle& node, const char* name, const Handle& handle)
+void CommandServer::offer(ros::NodeHandle& node, const std::string& name, const Handle& handle)
 {
   using Request = typename Service::Request;
   using Response = typename Service::Response;
@@ -99,6 +101,18 @@ void CommandServer::offerServices(ros::NodeHandle& private_node)
                        answer("pour_between", control_.pour(request.species, request.count, between),
                               response);
                      });
+  offer<SetFault>(private_node, "fault",
+                  [this](auto& request, auto& response)
+                  { answer("fault", control_.fault(request.part, request.fault), response); });
+}
+
+void CommandServer::offerTares(ros::NodeHandle& private_node)
+{
+  for (const SensorInfo& sensor : SENSOR_LIST)
+    if (sensor.kind == SensorKind::SCALE)
+      offer<std_srvs::Trigger>(private_node, std::string(sensor.name) + "/tare",
+                               [this, &sensor](auto&, auto& response)
+                               { answer("tare", control_.tare(sensor.name), response); });
 }
 
 void CommandServer::takeSetpoint(const Setpoint& setpoint,

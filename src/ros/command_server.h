@@ -9,6 +9,7 @@
 #include <ros/node_handle.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/Empty.h>
+#include <std_srvs/Trigger.h>
 
 #include "diagnostics.h"
 #include "node_parameters.h"
@@ -16,6 +17,7 @@
 #include "ratchet_sieve/PourBetween.h"
 #include "ratchet_sieve/PourDisks.h"
 #include "ratchet_sieve/ResetSimulation.h"
+#include "ratchet_sieve/SetFault.h"
 #include "ratchet_sieve/StepSimulation.h"
 #include "ratchet_sieve/live/run_control.h"
 #include "ratchet_sieve/live/setpoint.h"
@@ -51,8 +53,9 @@ private:
   void takeSetpoint(const Setpoint& setpoint, const ros::MessageEvent<const std_msgs::Float64>& event);
   void command(Quantity quantity, double value);
   void offerServices(ros::NodeHandle& private_node);
+  void offerTares(ros::NodeHandle& private_node);
   template <typename Service, typename Handle>
-  void offer(ros::NodeHandle& node, const char* name, const Handle& handle);
+  void offer(ros::NodeHandle& node, const std::string& name, const Handle& handle);
   bool resetWorld();
   void reset(const ResetSimulation::Request& request, ResetSimulation::Response& response);
   void lockStep(const LockStep::Request& request, LockStep::Response& response);

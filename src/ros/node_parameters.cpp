@@ -7,7 +7,9 @@
 
 #include <ros/console.h>
 
+#include "ratchet_sieve/live/plant_reader.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "scene_parameters.h"
 
 namespace ratchet_sieve
 {
@@ -68,6 +70,17 @@ void readRates(ParameterReader& reader, const std::string& prefix, FrameRates& r
   for (const FrameKindInfo& kind : FRAME_LIST)
     if (kind.rate != nullptr)
       rates.*kind.rate = reader.number(prefix + kind.name, rates.*kind.rate, 0.0, MAX_FRAME_RATE);
+}
+
+/// Reads a tree of parameters, if it is set. @throws SceneError
+template <typename Parameters>
+void readTree(const ros::NodeHandle& node, const char* name,
+              Parameters (*read)(const YAML::Node&, const std::string&), Parameters& parameters)
+{
+  XmlRpc::XmlRpcValue value;
+  const std::string source = "parameter " + node.resolveName(name);
+  if (node.getParam(name, value))
+    parameters = read(yamlFromParameter(value, source), source);
 }
 
 double readMount(ParameterReader& reader, const char* axis)
@@ -169,10 +182,13 @@ NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
     double& slew_rate = parameters.slew_rates.*q.slew_rate;
     slew_rate = readSetpoint(reader, slew_rate, parameters.setpoints[indexOf(q.quantity)]);
   }
+  readTree(private_node, "actuators", readDrives, parameters.drives);
+  readTree(private_node, "sensors", readSensors, parameters.sensors);
   parameters.mount = {readMount(reader, "x"), readMount(reader, "y"), readMount(reader, "z")};
   parameters.frames =
       frameNames(readFramePrefix(reader, private_node.getNamespace()), parameters.mountedElsewhere());
-  for (const std::string& name : reader.unknown({"scene", "scene_file", "set", "seed", "diagnostic_period"}))
+  for (const std::string& name :
+       reader.unknown({"scene", "scene_file", "set", "seed", "diagnostic_period", "actuators", "sensors"}))
     ROS_WARN("parameter %s: not known, and ignored", name.c_str());
   return parameters;
 }

@@ -81,7 +81,7 @@ struct NodeParameters : RunParameters
 /// Reads ~frame_prefix. @param sieve name of the node that the frames belong to @throws ParameterError
 std::string readFramePrefix(ParameterReader& reader, const std::string& sieve);
 
-/// Reads the node's private parameters and warns of unknown ones. @throws ParameterError
+/// Reads the node's private parameters and warns of unknown ones. @throws ParameterError, SceneError
 NodeParameters readNodeParameters(const ros::NodeHandle& private_node);
 
 /// ~real_time_factor, simulated over wall time (0: as fast as possible), which may be changed while the node

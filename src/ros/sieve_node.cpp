@@ -15,6 +15,7 @@
 #include "ratchet_sieve/ros/nodes.h"
 #include "ratchet_sieve/scene/shown_text.h"
 #include "scene_parameters.h"
+#include "sensor_publisher.h"
 #include "topic_publisher.h"
 
 namespace ratchet_sieve
@@ -53,8 +54,10 @@ public:
         clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
         transforms_(node_, &clock_),
         topics_(
-            node_, [this]() -> const Run& { return control_.run(); }, parameters_.frames, clock_,
-            transforms_),
+            node_, [this]() -> const Run& { return control_.run(); }, parameters_, clock_, transforms_),
+        sensors_(
+            node_, parameters_.sensors, [this]() -> const Run& { return control_.run(); },
+            parameters_.frames.world, clock_),
         display_(node_, parameters_.display_rate),
         diagnostics_(control_, {real_time_factor_, pacer_, speed_}, recorder_, clock_),
         commands_(
@@ -76,6 +79,8 @@ public:
       own_world_.emplace().sendTransform(ownWorldTransform(parameters_.mount, parameters_.frames));
     control_.addSink(topics_);
     control_.observeExits([this](const ExitRecord& exit) { topics_.publish(exit); });
+    control_.observeSensors([this](const Sensor& sensor, const Reading& reading)
+                            { sensors_.publish(sensor, reading); });
     // After the scene was checked, so that a run that cannot begin leaves no bag.
     recorder_.open();
   }
@@ -215,6 +220,7 @@ private:
   std::optional<tf2_ros::StaticTransformBroadcaster> own_world_;  ///< if the sieve has its own world frame
   TransformPublisher transforms_;
   TopicPublisher topics_;
+  SensorPublisher sensors_;
   Display display_;
   Diagnostics diagnostics_;
   CommandServer commands_;

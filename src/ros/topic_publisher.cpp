@@ -1,5 +1,9 @@
 #include "topic_publisher.h"
 
+#include <cmath>
+
+#include <sensor_msgs/JointState.h>
+
 namespace ratchet_sieve
 {
 namespace
@@ -10,6 +14,18 @@ constexpr std::uint32_t FRAME_QUEUE_SIZE = 30;
 
 /// Disks that may leave between two looks of roscpp's thread at the queue: no exit is lost.
 constexpr std::uint32_t EXIT_QUEUE_SIZE = 100000;
+
+/// The base's one joint. @param turning_rate of a base on its way to a setpoint [rad/s]
+sensor_msgs::JointState jointState(const BaseFrame& frame, double turning_rate)
+{
+  const double way = frame.base.commanded_inclination - frame.base.inclination;
+  sensor_msgs::JointState message;
+  message.header.stamp = ros::Time(frame.time);
+  message.name = {describe(Quantity::INCLINATION).name};
+  message.position = {frame.base.inclination};
+  message.velocity = {way == 0.0 ? 0.0 : std::copysign(turning_rate, way)};
+  return message;
+}
 }  // namespace
 
 /// Advertises the topic of a kind; a new subscriber is sent the present state.
@@ -31,9 +47,13 @@ void TopicPublisher::advertise(ros::NodeHandle& node)
 }
 
 TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function<const Run&()>& current,
-                               const FrameNames& frames, ClockPublisher& clock,
+                               const NodeParameters& parameters, ClockPublisher& clock,
                                TransformPublisher& transforms)
-    : current_(current), frames_(frames), clock_(clock), transforms_(transforms)
+    : current_(current),
+      frames_(parameters.frames),
+      clock_(clock),
+      transforms_(transforms),
+      turning_rate_(parameters.slew_rates.inclination)
 {
   publishers_[FrameKind::SCENE] =
       private_node.advertise<SceneDescription>(describe(FrameKind::SCENE).name, 1, true);
@@ -47,6 +67,10 @@ TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function
         const double window_start = current().now<BinFrame>().window_start;
         subscriber.publish(purityOf(current().simulation(), window_start, frame_id));
       });
+  joint_states_ = private_node.advertise<sensor_msgs::JointState>(
+      "joint_states", FRAME_QUEUE_SIZE,
+      [current = current_, rate = turning_rate_](const ros::SingleSubscriberPublisher& subscriber)
+      { subscriber.publish(jointState(current().now<BaseFrame>(), rate)); });
   exits_ = private_node.advertise<DiskExit>("exits", EXIT_QUEUE_SIZE);
 }
 
@@ -86,8 +110,14 @@ void TopicPublisher::take(const AnyFrame& any)
     clock_.reach(bins->time);
     purity_.publish(purityOf(current_().simulation(), bins->window_start, frames_.world));
   }
-  if (const BaseFrame* base = any.as<BaseFrame>())
-    transforms_.publish(*base, frames_);
+  const BaseFrame* base = any.as<BaseFrame>();
+  if (base == nullptr)
+    return;
+  transforms_.publish(*base, frames_);
+  if (joint_states_.getNumSubscribers() == 0)
+    return;
+  clock_.reach(base->time);
+  joint_states_.publish(jointState(*base, turning_rate_));
 }
 
 }  // namespace ratchet_sieve

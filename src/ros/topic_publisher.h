@@ -7,6 +7,7 @@
 #include <ros/publisher.h>
 #include <ros/single_subscriber_publisher.h>
 
+#include "node_parameters.h"
 #include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/recording/run.h"
 #include "transform_publisher.h"
@@ -15,17 +16,18 @@ namespace ratchet_sieve
 {
 
 /// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~observed, ~commands and ~scene (latched),
-/// purity and recovery with the bins on ~purity, and each disk that leaves on ~exits. The base is also
-/// published on /tf, with a transform at the stamp of every message of the disks. Topics without subscribers
-/// are skipped. A new subscriber gets the present state at once, also in a pause.
+/// purity and recovery with the bins on ~purity, the joint with the base on ~joint_states, and each disk that
+/// leaves on ~exits. The base is also published on /tf, with a transform at the stamp of every message of the
+/// disks. Topics without subscribers are skipped. A new subscriber gets the present state at once, also in a
+/// pause.
 class TopicPublisher : public FrameSink
 {
 public:
   /// @param current returns the present run, also after a reset
-  /// @param frames of the messages and transforms
+  /// @param parameters frames of the messages and transforms, and how fast the base turns
   /// @param clock is advanced to the stamp of every message; clock and transforms outlive this
   TopicPublisher(ros::NodeHandle private_node, const std::function<const Run&()>& current,
-                 const FrameNames& frames, ClockPublisher& clock, TransformPublisher& transforms);
+                 const NodeParameters& parameters, ClockPublisher& clock, TransformPublisher& transforms);
 
   bool wants(FrameKind kind) const override;
   void take(const AnyFrame& frame) override;
@@ -44,7 +46,9 @@ private:
   TransformPublisher& transforms_;
   std::map<FrameKind, ros::Publisher> publishers_;
   ros::Publisher exits_;
-  ros::Publisher purity_;  ///< with the bins
+  ros::Publisher purity_;        ///< with the bins
+  ros::Publisher joint_states_;  ///< with the base
+  double turning_rate_;          ///< slew rate of the inclination [rad/s]
 };
 
 }  // namespace ratchet_sieve

@@ -77,9 +77,10 @@ public:
     if (outcome.end == RunEnd::STALLED)
       error = outcome.warnings.empty() ? "inelastic collapse" : outcome.warnings.front();
     outcome.warnings.insert(outcome.warnings.begin(), case_.warnings.begin(), case_.warnings.end());
+    nlohmann::ordered_json summary = summarize(start->simulation, outcome);
     if (record.keep && !stopped)
-      write([&] { record.keep(outcome.warnings); });
-    return summarize(start->simulation, outcome);
+      write([&] { record.keep(summary); });
+    return summary;
   }
 
 private:

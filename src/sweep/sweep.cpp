@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
@@ -225,13 +226,13 @@ void requireNoneWithin(const Entry& root, const std::map<std::string, std::strin
     }
 }
 
-/// No key may be set in two places, and seeds only in `seed`.
+/// No key may be set in two places. Seeds are in `seed`, or else in `set` or `cases`.
 void requireOnce(const Entry& root, const Sweep& sweep)
 {
   std::map<std::string, std::string> seen;
   const auto take = [&](const std::string& key, const std::string& place)
   {
-    if (key == "seed" && (place != "set" || sweep.seeds.count > 0))
+    if (key == "seed" && (sweep.seeds.count > 0 || (place != "set" && place != "cases")))
       root.at(place).refuse("seeds are given by the sweep's own key, seed: {first: .., count: ..} or [..]");
     const auto [other, is_new] = seen.emplace(key, place);
     if (!is_new)
@@ -295,7 +296,7 @@ std::vector<std::string> Sweep::keys() const
 {
   std::vector<std::string> all;
   for (const Axis& axis : axes)
-    all.insert(all.end(), axis.keys.begin(), axis.keys.end());
+    std::remove_copy(axis.keys.begin(), axis.keys.end(), std::back_inserter(all), "seed");
   return all;
 }
 

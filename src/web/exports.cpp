@@ -13,8 +13,8 @@
 #include "ratchet_sieve/core/choke.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/fields.h"
-#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/statistics/segregation.h"
 
 /// The engine as a module of WebAssembly: functions over one simulation, and buffers that the caller reads
 /// and writes in the module's memory. A buffer's address holds until the next call. engine.js calls them.

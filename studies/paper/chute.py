@@ -1,4 +1,4 @@
-"""Addition A9: how much of what Fig. 9's quality lacks of 1 comes from disks that start near the wrong end."""
+"""Addition A7: how much of what Fig. 9's quality lacks of 1 comes from disks that start near the wrong end."""
 import dataclasses
 
 from ratchet_sieve import plots
@@ -52,7 +52,7 @@ def claims(numbers):
     whole = numbers["best"][numbers["whole"]].mean
     says = (f"poured onto {name(place)}, at θ = {theta:g}: 1 − Q ({loss(mean).text()}) less a third of that of the "
             f"whole base at its best θ ({loss(whole).text()}) is below 0")
-    return [verdicts.Claim("A9", "Fig. 9", "most of 1 − Q comes from where the disks start: poured onto a fifth of the "
+    return [verdicts.Claim("A7", "Fig. 9", "most of 1 − Q comes from where the disks start: poured onto a fifth of the "
                            "base, at the best position, 1 − Q is less than a third of that",
                            (verdicts.below(says, loss(mean).minus(loss(whole).scaled(SHARE))),))]
 

@@ -1,4 +1,4 @@
-"""Addition A8: whether a base that is shaken along its own normal parts Fig. 8's mixture at the paper's angles."""
+"""Addition A6: whether a base that is shaken along its own normal parts Fig. 8's mixture at the paper's angles."""
 from paper import parting
 from paper.parting import ANGLES
 from study import THETA, WAYS, Picture, Study, csv_lines, ways
@@ -9,10 +9,10 @@ NAMES = {"world": "vertically, as in the paper", "base": "along its own normal"}
 
 
 def claims(numbers):
-    """@param numbers of each axis of the drive: map from θ to both kinds' mean velocities [m/s]"""
+    """@param numbers of each axis of the drive: map from θ to both species' mean velocities [m/s]"""
     checks = tuple(parting.parted(f"θ = {theta:g}: A to the right, B to the left", numbers["base"][theta])
                    for theta in ANGLES)
-    return [verdicts.Claim("A8", "Fig. 8", "claim 6's A right and B left at 0.105 and at 0.157 come out on a base that "
+    return [verdicts.Claim("A6", "Fig. 8", "claim 6's A right and B left at 0.105 and at 0.157 come out on a base that "
                            "is shaken along its own normal", checks)]
 
 

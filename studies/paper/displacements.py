@@ -55,7 +55,7 @@ def velocity(samples):
 
 
 def spreads(samples):
-    return verdicts.counted("it spreads from each time to the next", wider(samples))
+    return verdicts.counted("it spreads from each time to the next", wider(samples)).about("it spreads")
 
 
 def deviation(values):

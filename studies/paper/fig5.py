@@ -44,11 +44,12 @@ def order(velocities):
 def claims(numbers):
     velocities = numbers["means"]
     return [verdicts.Claim("4", "Fig. 5", "the more asymmetric the tooth, the faster; a decides the direction", (
-        verdicts.counted("to the right for a < 0.5, to the left for a > 0.5, at every f", direction(velocities)),
+        verdicts.counted("to the right for a < 0.5, to the left for a > 0.5, at every f", direction(velocities)).about(
+            "the direction"),
         verdicts.counted("of each two neighbouring a on one side of 0.5 the more asymmetric is faster, at every f",
-                         order(velocities)),
+                         order(velocities)).about("the order of speeds"),
         verdicts.within("at a = 0.5 less than 1 mm/s, in the mean over f", numbers["symmetric"], -NO_DRIFT, NO_DRIFT,
-                        plots.MM, "mm/s")))]
+                        plots.MM, "mm/s").about("none at a = 0.5")))]
 
 
 STUDY = Study("fig5", "Fig. 5: velocity over frequency, for nine asymmetries",

@@ -30,8 +30,10 @@ def claims(means):
     slower, steeper = difference(means, 1, -1.0), difference(means, 0, 1.0)
     text_of_claim = "large disks hit the steep slope of the next tooth and go back, so the ratchet moves them less"
     return [verdicts.Claim("13", "Fig. 6", text_of_claim, (
-        verdicts.counted("on the level base disks of 4 mm are slower than disks of 1 mm, at every f", slower),
-        verdicts.counted("their share of contacts with the short, steep slopes is higher, at every f", steeper)))]
+        verdicts.counted("on the level base disks of 4 mm are slower than disks of 1 mm, at every f", slower).about(
+            "slower"),
+        verdicts.counted("their share of contacts with the short, steep slopes is higher, at every f", steeper).about(
+            "more contacts with steep slopes")))]
 
 
 TEXT = ("The second check is indirect: it counts contacts, of which a disk at rest in a valley makes many, and not the "

@@ -50,8 +50,9 @@ def claims(means):
     factor = ranges["B"].value / ranges["A"].value
     return [verdicts.Claim("5", "Fig. 7", "θ moves large disks (r = 4 mm) more than small ones (r = 1 mm), over f", (
         verdicts.above(f"at {SHOWN:g} Hz the large lose more from the least θ to the greatest, {factor:.2f} times as "
-                       "much", ranges["B"].minus(ranges["A"]), 0.0, plots.MM, "mm/s more"),
-        verdicts.counted("and so they do at every f", more_moved(means))))]
+                       "much", ranges["B"].minus(ranges["A"]), 0.0, plots.MM, "mm/s more").about(
+                           f"at {SHOWN:g} Hz"),
+        verdicts.counted("and so they do at every f", more_moved(means)).about("at every f")))]
 
 
 def velocity_lines(means):

@@ -1,4 +1,4 @@
-"""Fig. 8: the mean velocity of both kinds of a mixture, over the frequency and the inclination."""
+"""Fig. 8: the mean velocity of both species of a mixture, over the frequency and the inclination."""
 from ratchet_sieve import plots
 from ratchet_sieve.tables import joined
 from ratchet_sieve.texts import table
@@ -23,7 +23,7 @@ def evaluate(rows):
 
 
 def draw_inclinations(numbers):
-    """All inclinations beside those near zero, where the kinds reverse."""
+    """All inclinations beside those near zero, where the species reverse."""
     figure, panels = plots.panels(1, 2, (9.6, 3.9))
     for kind, colour in zip(KINDS, plots.COLOURS):
         points = [(theta, numbers["all"][kind][theta, SHOWN]) for theta in axis(numbers["all"][kind], 0)
@@ -72,27 +72,28 @@ def claims(numbers):
     level = {kind: means[kind][0.0, SHOWN] for kind in KINDS}
     right, faster = "θ = 0: both to the right", level["B"].minus(level["A"])
     return [verdicts.Claim("6a", "Fig. 8", "at θ = 0 both go right and B is faster", (
-                verdicts.both(*(verdicts.right(right, level[kind]) for kind in KINDS)),
-                verdicts.right("θ = 0: B is faster", faster))),
+                verdicts.both(*(verdicts.right(right, level[kind]) for kind in KINDS)).about("to the right"),
+                verdicts.right("θ = 0: B is faster", faster).about("B faster"))),
             verdicts.Claim("6b", "Fig. 8", "at θ = 0.052 they differ little", (
                 parting.differ_little("θ = 0.052: they differ by less than a third of that at 0",
                                       *(means["B"][theta, SHOWN].minus(means["A"][theta, SHOWN])
                                         for theta in (0.0, 0.052))),)),
             *(verdicts.Claim(number, "Fig. 8", f"at θ = {theta:g} A goes right and B left", (parted(numbers, theta),),
                              f"at the printed parameters; see {see}")
-              for number, theta, see in zip(("6c", "6d"), ANGLES, ("A1, A3 and A7", "A1 and A7"))),
+              for number, theta, see in zip(("6c", "6d"), ANGLES, ("A1, A2b and A3", "A1 and A2b"))),
             verdicts.Claim("10", "3.2.1", "in the mixture θ acts more on B than on A", (
                 verdicts.counted("B loses more than A from the least θ to the greatest, at every f", more_moved(means)),
                 ))]
 
 
 def text(numbers):
-    """The headline: where the kinds go opposite ways."""
+    """The headline: where the species go opposite ways."""
     turns = sorted(numbers["turns"].items())
     lines = [[f"{f:g} Hz", *(told(turn[part]) for part in TURNS)] for f, turn in turns
              if f in (turns[0][0], SHOWN, turns[-1][0])]
     return ("A goes to the right and B to the left between the angle at which B reverses and that at which A does (by "
-            "a parabola through the means nearest to it; errors by leaving out one seed):\n\n"
+            "a parabola through the three means nearest to it; its error is that of leaving out one seed and the "
+            "distance to a straight line's):\n\n"
             + table(["f", "B reverses, θ [rad]", "A reverses, θ [rad]", "interval [rad]"], lines))
 
 
@@ -105,13 +106,13 @@ def figures(numbers):
 
 
 CAPTION = "d = 3.93; bars: standard errors over the seeds"
-STUDY = Study("fig8", "Fig. 8: both kinds of a mixture",
+STUDY = Study("fig8", "Fig. 8: both species of a mixture",
               ("paper_fig8", "paper_fig8_window"), evaluate,
-              (Picture("fig8_inclination", "Mean velocities of both kinds over the inclination at "
+              (Picture("fig8_inclination", "Mean velocities of both species over the inclination at "
                        f"{SHOWN:g} Hz, {CAPTION}", draw_inclinations),
                Picture("fig8", f"Mean velocities over the frequency at eleven inclinations, {CAPTION}",
                        lambda numbers: draw_kinds(numbers["means"], KINDS)),
-               Picture("fig8_turn", f"The inclinations at which the kinds reverse, over the frequency, {CAPTION}",
+               Picture("fig8_turn", f"The inclinations at which the species reverse, over the frequency, {CAPTION}",
                        draw_turns, size=(6.4, 3.8))), claims, text,
               figures, lambda numbers: {"fig8": velocity_lines(numbers["means"]), "fig8_turn": parting.turn_lines(
                   "f_hz", sorted(numbers["turns"].items()))})

@@ -51,12 +51,12 @@ def lowered(numbers):
         mixture = numbers["best"][teeth, density]
         gain = alone["best"].mean.minus(mixture.mean)
         yield verdicts.above(f"{teeth:g} teeth: best Q of single disks ({alone['best'].mean.text()}) above that at "
-                             f"d = {density:g} ({mixture.mean.text()})", gain)
+                             f"d = {density:g} ({mixture.mean.text()})", gain).about(f"{teeth:g} teeth")
     for teeth in numbers["alone"]:
         low, *_, high = fig9.densities_on(numbers, teeth)
         first, second = fig9.ends_of(numbers, teeth)
         yield verdicts.above(f"{teeth:g} teeth, control: best Q is lower at d = {high:g} than at d = {low:g}",
-                             first.mean.minus(second.mean))
+                             first.mean.minus(second.mean)).about(f"control on {teeth:g} teeth")
 
 
 def same_way(numbers):
@@ -75,8 +75,8 @@ def directions(numbers):
     against = {theta for ((_, theta, _), _), way in zip(comparisons, outcomes) if way is False}
     said = (f"{outcomes.count(True)} of {len(outcomes)} do, {outcomes.count(False)} go significantly the other way"
             + (f" (at θ = {', '.join(f'{theta:g}' for theta in sorted(against))})" if against else ""))
-    return verdicts.Check("each kind of Fig. 8's mixture goes where its single disks go, at every θ and f", said,
-                          verdicts.all_of(outcomes))
+    return verdicts.Check("each species of Fig. 8's mixture goes where its single disks go, at every θ and f", said,
+                          verdicts.all_of(outcomes), part="the directions at every θ and f")
 
 
 def remain(numbers):
@@ -86,18 +86,18 @@ def remain(numbers):
               for compare, theta in ((verdicts.above, 0.0), (verdicts.below, TURNED))]
     return verdicts.Check(f"the currents of Figs. 3 and 4 remain in the mixture: to the right at θ = 0, to the left at "
                           f"{TURNED:g}", "; ".join(check.came_out for check in checks),
-                          verdicts.all_of(check.passes for check in checks))
+                          verdicts.all_of(check.passes for check in checks), part="the currents of Figs. 3 and 4")
 
 
 def window(numbers):
     single, mixture = numbers["turns"]["single"], numbers["turns"]["mixture"]
-    says = "the intervals of θ in which the kinds go opposite ways overlap"
+    says, part = "the intervals of θ in which the species go opposite ways overlap", "the interval of opposite ways"
     if None in (mixture["A"], single["B"]):
-        return verdicts.Check(says, "—", None)
+        return verdicts.Check(says, "—", None, part=part)
     check = verdicts.above(says, mixture["A"].minus(single["B"]), 0.0, 1.0, "rad")
     told = (f"{mixture['B'].text()} to {mixture['A'].text()} in the mixture, {single['B'].text()} to "
             f"{single['A'].text()} for single disks, the distance {check.came_out}")
-    return verdicts.Check(says, told, check.passes)
+    return verdicts.Check(says, told, check.passes, part=part)
 
 
 def guided(numbers):
@@ -108,9 +108,9 @@ def guided(numbers):
         best = numbers["best"][teeth, density].mean
         there = dict(numbers["Q"][teeth, density]).get(theta)
         says = f"{teeth:g} teeth, d = {density:g}: Q at single disks' best θ, {theta:g}, above {ENOUGH:g} of the best Q"
-        yield verdicts.Check(says, "—", None) if there is None else verdicts.Check(
-            says, f"{there.text()} against {best.text()}",
-            there.minus(best.scaled(ENOUGH)).surely_above(0.0))
+        check = verdicts.Check(says, "—", None) if there is None else verdicts.Check(
+            says, f"{there.text()} against {best.text()}", there.minus(best.scaled(ENOUGH)).surely_above(0.0))
+        yield check.about(f"the best θ at d = {density:g}")
 
 
 def claims(numbers):

@@ -1,4 +1,4 @@
-"""Addition A10: whether the large disks of Fig. 9's mixture lie above the small ones, as section 3.2.2 suspects."""
+"""Addition A8: whether the large disks of Fig. 9's mixture lie above the small ones, as section 3.2.2 suspects."""
 from ratchet_sieve import plots
 from study import D, Picture, Study, csv_lines, over
 import verdicts
@@ -37,17 +37,19 @@ def claims(heights):
     first, last = (heights[choose(heights)][2].text(plots.MM) for choose in (min, max))
     says = (f"B's lowest points are higher than A's, by {first} mm at d = {min(heights):g} to {last} mm at "
             f"d = {max(heights):g}")
-    return [verdicts.Claim("A10", "3.2.2", "the large disks of Fig. 9's mixture lie above the small ones, the more so "
+    return [verdicts.Claim("A8", "3.2.2", "the large disks of Fig. 9's mixture lie above the small ones, the more so "
                            "the higher d (the Brazil-nut remark)", (
-                               verdicts.counted(says, [(f"d = {d:g}", found[2]) for d, found in heights.items()]),
-                               verdicts.counted("the difference rises from each d to the next", rising(heights))))]
+                               verdicts.counted(says, [(f"d = {d:g}", found[2]) for d, found in heights.items()]
+                                                ).about("B higher"),
+                               verdicts.counted("the difference rises from each d to the next", rising(heights)
+                                                ).about("the more so the higher d")))]
 
 
 TEXT = ("Periodic base, θ = 0.2. The paper says that this \"might be related\" to the lower quality, which was not "
         "tested. B is also 10 times lighter than A, so that the difference is not one of size alone.")
 
 
-STUDY = Study("heights", "The heights of both kinds of Fig. 9's mixture", ("paper_heights",), evaluate,
+STUDY = Study("heights", "The heights of both species of Fig. 9's mixture", ("paper_heights",), evaluate,
               (Picture("heights", "Mean heights of the disks' lowest points above the teeth's lowest corners over the "
                        "density, at θ = 0.2; bars: standard errors over the seeds", draw, size=(6.4, 3.6)),), claims,
               lambda heights: TEXT,

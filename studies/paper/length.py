@@ -49,12 +49,13 @@ def tends_to_one(density, line):
     fits = line.probability() >= LEVEL
     told = f"Q(∞) = {line.intercept.text()}, p = {line.probability():.2g}"
     return verdicts.Check(f"d = {density:g}: a line in 1 / teeth fits, |Q(∞) − 1| < {NEAR:g}", told,
-                          near.passes if fits else False)
+                          near.passes if fits else False, part=f"to 1 at d = {density:g}")
 
 
 def claims(numbers):
     return [verdicts.Claim("A4", "Fig. 9", "Q at the best θ rises with the length of the base, and tends to 1", (
-        verdicts.counted("after 100 s Q at the best θ rises from each length to the next", rising(numbers)),
+        verdicts.counted("after 100 s Q at the best θ rises from each length to the next", rising(numbers)).about(
+            "it rises"),
         *(tends_to_one(density, line) for density, line in numbers["lines"].items())))]
 
 

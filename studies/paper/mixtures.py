@@ -1,4 +1,4 @@
-"""Section 3.2.1: mixtures of kinds that have the same radius or the same mass, against the mixture of Fig. 8."""
+"""Section 3.2.1: mixtures of species that have the same radius or the same mass, against the mixture of Fig. 8."""
 from ratchet_sieve import plots
 from curves import TURNS, best_of, turns_of
 from study import THETA, Picture, Study, csv_lines, means
@@ -70,15 +70,14 @@ def claims(numbers):
     return [verdicts.Claim("7", "3.2.1", text, (
                 verdicts.counted(f"Q at the best θ is lower than that mixture's, {verdicts.shown(best, 1, '')}",
                                  worse(numbers)),)),
-            verdicts.Claim("A5", "3.2.1", "on a periodic base of 10 teeth the kinds of those mixtures go "
+            verdicts.Claim("A5", "3.2.1", "on a periodic base of 10 teeth the species of those mixtures go "
                            "opposite ways in a narrower interval of θ", (
                 verdicts.counted("the interval is narrower than that mixture's, "
                                  f"{verdicts.shown(window, 1, 'rad') if window else '—'}", narrower(numbers)),))]
 
 
 TEXT = ("Q is that of 20 teeth with open ends after 60 s. The intervals are those of θ in which A goes right and B "
-        "left. On 20 teeth, as in Fig. 8, A reverses at a smaller angle, so that the first mixture's interval is "
-        "narrower.")
+        "left, on 10 teeth.")
 
 
 STUDY = Study("mixtures", "Section 3.2.1: mixtures that differ in the radius or the mass alone",

@@ -1,4 +1,4 @@
-"""Addition A3: why Q on an open base is best near θ = 0.1, where the kinds of Fig. 8 do not part at d = 3.93."""
+"""Addition A3: why Q on an open base is best near θ = 0.1, where the species of Fig. 8 do not part at d = 3.93."""
 from ratchet_sieve import plots
 from ratchet_sieve.tables import joined
 from paper.parting import ANGLES, PRINTED, parted
@@ -63,12 +63,12 @@ def draw(numbers):
 
 
 def parts_late(numbers):
-    """A check for each length that the kinds go opposite ways at the claimed θ over the whole run."""
+    """A check for each length that the species go opposite ways at the claimed θ over the whole run."""
     for teeth in lengths(numbers):
         cell = numbers["drifts"][(*WHOLE, teeth, CLAIMED)]
         says = (f"{teeth:g} teeth, θ = {CLAIMED:g}, over all 60 s (d falls from {PRINTED:g} to "
                 f"{cell['d'].value:.2f}): A to the right, B to the left")
-        yield parted(says, (cell["A"], cell["B"]))
+        yield parted(says, (cell["A"], cell["B"])).about(f"{teeth:g} teeth")
 
 
 def both_left_early(numbers):
@@ -76,17 +76,17 @@ def both_left_early(numbers):
     cell = numbers["drifts"][begin, end, teeth, CLAIMED]
     says = (f"{teeth:g} teeth, θ = {CLAIMED:g}, while the base is full ({begin:g} to {end:g} s, d = "
             f"{cell['d'].value:.2f} at its end): both to the left, as on the periodic base")
-    return verdicts.both(*(verdicts.left(says, cell[kind]) for kind in "AB"))
+    return verdicts.both(*(verdicts.left(says, cell[kind]) for kind in "AB")).about("both left while full")
 
 
 def claims(numbers):
     return [verdicts.Claim("A3", "3.2.1, Fig. 8", "on an open base Q is best near θ = 0.1 because the base empties: d "
-                           "falls to where the kinds go opposite ways",
+                           "falls to where the species go opposite ways",
                            (both_left_early(numbers), *parts_late(numbers)))]
 
 
 TEXT = ("The bases start at d = 3.93. A drift on an open base is the displacement of all disks over the time that they "
-        "spent on it. As the base empties it passes through the densities at which the kinds go opposite ways (A1), "
+        "spent on it. As the base empties it passes through the densities at which the species go opposite ways (A1), "
         "but at equal mean density both drift further to the left than on a periodic base, which is what the paper "
         "names for Fig. 8.")
 

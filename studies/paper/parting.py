@@ -1,4 +1,4 @@
-"""Which way both kinds of Fig. 8's mixture go, and where they part as the paper's do. Addition A1: the window of
+"""Which way both species of Fig. 8's mixture go, and where they part as the paper's do. Addition A1: the window of
 inclinations in which they do, over the density."""
 from ratchet_sieve import plots
 from curves import TURNS, turns_of
@@ -32,7 +32,7 @@ def parted(says, pair):
 
 
 def draw_ways(panels):
-    """@param panels map from a title to both kinds' mean velocities over θ"""
+    """@param panels map from a title to both species' mean velocities over θ"""
     figure, row = plots.panels(1, len(panels), (8.6, 3.4), sharey=True, squeeze=False)
     for axes, (title, means) in zip(row[0], panels.items()):
         for k, (kind, colour) in enumerate(zip("AB", plots.COLOURS)):
@@ -45,7 +45,7 @@ def draw_ways(panels):
 
 
 def differ_little(says, level, tilted):
-    """A check that the kinds differ by less than a part of what they differ by on the level base.
+    """A check that the species differ by less than a part of what they differ by on the level base.
     @param level B's mean velocity less A's there"""
     size = tilted.scaled(-1.0 if tilted.value < 0.0 else 1.0)
     return verdicts.Check(says, f"{verdicts.speed(size)} against {level.text(plots.MM)}",
@@ -61,8 +61,8 @@ def evaluate(rows):
 
 
 def draw_turns(axes, turns, names):
-    """The inclinations at which both kinds turn, and the window between them.
-    @param turns pairs of x and turns_of(). @param names of both kinds' curves"""
+    """The inclinations at which both species turn, and the window between them.
+    @param turns pairs of x and turns_of(). @param names of both species' curves"""
     for (kind, name), colour in zip(names.items(), plots.COLOURS):
         plots.curve(axes, [(x, turn[kind]) for x, turn in turns], color=colour, label=name)
     known = [(x, turn["B"].value, turn["A"].value) for x, turn in turns if turn["A"] and turn["B"]]
@@ -83,7 +83,8 @@ def draw(axes, part):
 
 
 def is_parted(part, d, theta):
-    return class_of(part["ways"][d, theta]) == PARTED
+    """None: undecided."""
+    return parted("", part["ways"][d, theta]).passes
 
 
 def listed(densities):
@@ -92,15 +93,17 @@ def listed(densities):
 
 def at_one(part):
     """A check that one density does for both angles."""
-    found = [d for d in part["turns"] if all(is_parted(part, d, theta) for theta in ANGLES)]
     turns = part["turns"]
+    outcomes = {d: verdicts.all_of(is_parted(part, d, theta) for theta in ANGLES) for d in turns}
+    found, unsure = ([d for d, outcome in outcomes.items() if outcome is wanted] for wanted in (True, None))
     alone = "; ".join(f"at {theta:g} alone at {listed([d for d in turns if is_parted(part, d, theta)])}"
                       for theta in ANGLES)
     widths = {d: turn["window"] for d, turn in turns.items() if turn["window"]}
     widest = max(widths, key=lambda d: widths[d].value)
-    said = (f"at {listed(found)} ({alone}; the widest interval: {widths[widest].text()} rad at d = {widest:g}, and "
-            f"both angles need {NEEDED:.3g})")
-    return verdicts.Check("A right and B left at both angles, at one density", said, bool(found))
+    said = (f"at {listed(found)}, undecided at {listed(unsure)} ({alone}; the widest interval: "
+            f"{widths[widest].text()} rad at d = {widest:g}, and both angles need {NEEDED:.3g})")
+    return verdicts.Check("A right and B left at both angles, at one density", said,
+                          True if found else None if unsure else False)
 
 
 def claims(part):
@@ -116,10 +119,10 @@ def turn_lines(name, turns):
 def text(part):
     """Below which density A goes to the right at the first angle of the claim, and above which B to the left."""
     limits = part["limits"][ANGLES[0]]
-    return f"At θ = {ANGLES[0]:g} the kinds go opposite ways from d = {told(limits['B'])} to {told(limits['A'])}."
+    return f"At θ = {ANGLES[0]:g} the species go opposite ways from d = {told(limits['B'])} to {told(limits['A'])}."
 
 
-WINDOW = Study("parting_window", "The inclinations at which the kinds of Fig. 8's mixture reverse, over the density",
+WINDOW = Study("parting_window", "The inclinations at which the species of Fig. 8's mixture reverse, over the density",
               ("parting_window",), evaluate,
               (Picture("parting_window", "The inclinations at which A and B reverse, over the density; bars: "
                        "jackknife errors over the seeds", draw, size=(6.4, 4.2)),),

@@ -1,4 +1,4 @@
-"""Additions A2, A6, A7, by fresh seeds: claim 6 on the teeth that the maps of two parameters found."""
+"""Additions A2a and A2b, by fresh seeds: claim 6 on the teeth that the maps of two parameters found."""
 from ratchet_sieve import plots
 from paper import parting
 from paper.parting import ANGLES
@@ -7,7 +7,6 @@ import verdicts
 
 W, H = "base.tooth_width", 0.009  # m: the height of all of them
 LEVEL, TILTED = 0.0, 0.052
-FIRST = 6  # number of the first addition that is about one kind of teeth
 
 
 def name(w):
@@ -28,21 +27,18 @@ def level(means):
 
 
 def claims(numbers):
-    """@param numbers of each width: map from θ to both kinds' mean velocities [m/s]"""
-    both = [verdicts.counted(f"{name(w)}: A right and B left at 0.105 and at 0.157", parted(means))
-            for w, means in numbers.items()]
-    return [verdicts.Claim("A2", "Fig. 8", "claim 6's A right and B left at 0.105 and at 0.157 come out at the printed "
-                           "density with two parameters other than printed: narrower and higher teeth", tuple(both)),
-            *(whole(f"A{FIRST + k}", w, means) for k, (w, means) in enumerate(numbers.items()))]
+    """@param numbers of each width: map from θ to both species' mean velocities [m/s]"""
+    return [whole(f"A2{letter}", w, means) for letter, (w, means) in zip("ab", numbers.items())]
 
 
 def whole(number, w, means):
     """All of claim 6 on these teeth."""
-    return verdicts.Claim(number, "Fig. 8", f"all of claim 6 comes out on teeth of {name(w)}", (
-        verdicts.counted("θ = 0: both to the right, and B is faster", level(means)),
+    return verdicts.Claim(number, "Fig. 8", f"all of claim 6 comes out on narrower and higher teeth: {name(w)}", (
+        verdicts.counted("θ = 0: both to the right, and B is faster", level(means)).about("θ = 0"),
         parting.differ_little("θ = 0.052: they differ by less than a third of that at 0",
-                              *(means[theta][1].minus(means[theta][0]) for theta in (LEVEL, TILTED))),
-        verdicts.counted("θ = 0.105 and 0.157: A right and B left", parted(means))))
+                              *(means[theta][1].minus(means[theta][0]) for theta in (LEVEL, TILTED))
+                              ).about("θ = 0.052"),
+        verdicts.counted("θ = 0.105 and 0.157: A right and B left", parted(means)).about("θ = 0.105 and 0.157")))
 
 
 TEXT = ("The paper gives w = 20 mm and h = 6 mm; that its Fig. 8 was made with other teeth is a possibility, and no "

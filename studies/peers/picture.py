@@ -9,7 +9,6 @@ from ratchet_sieve import origin, plots
 from ratchet_sieve.tables import write_csv
 from peers import runs
 
-ALIKE = "β = 0 "  # in the row of this project's run without tangential restitution, which the others do not have either
 # A line is a program with one step; this project has none. Drifts in m/s, cost: processor time over simulated time.
 COLUMNS = ("program", "step", "cost", "drift_a", "error_a", "drift_b", "error_b", "loses_disks", "runs", "origin")
 
@@ -18,7 +17,7 @@ LOOKS = {runs.OURS: ("this project", OURS, "D"), "chipmunk": ("Chipmunk", plots.
          "box2d": ("Box2D", plots.COLOURS[1], "s"), "lammps": ("LAMMPS, 5 µs", plots.COLOURS[2], "^")}
 # Steps that are written beside their points [s], and how far beside [points].
 WRITTEN = {"chipmunk": {0.004167: (6, 5), 0.001: (-26, -11), 0.0001: (-4, -13)},
-           "box2d": {0.004167: (6, 5), 0.000527: (-30, -13), 0.0001: (4, 6)}}
+           "box2d": {0.01: (6, 0), 0.004167: (6, 5), 0.000527: (-30, -13), 0.0001: (4, 6)}}
 # Keys of performance.json with the number of disks, of this project by the two measurements of processor time.
 SIZES = {524: ("engine.fig8.collisions", "edmd.disks_1000"), 10_008: ("engine.disks_1e4.collisions", "edmd.disks_10000"),
          100_004: ("engine.disks_1e5.collisions", "edmd.disks_100000")}
@@ -28,7 +27,7 @@ def write(path, taken, about):
     """Of this project without tangential restitution, and of every program and step. @param about date and machine"""
     groups = {}
     for run in taken:
-        if run["program"] != runs.OURS or ALIKE in run["row"]:
+        if run["program"] != runs.OURS or run["row"] == runs.ALIKE_ROW:
             groups.setdefault((run["program"], run["step"]), []).append(run)
     lines = []
     for (program, step), own in groups.items():
@@ -50,7 +49,7 @@ def draw_costs(axes, figures):
         middle = sum(costs) / 2.0
         axes.errorbar(disks, middle, costs[1] - middle, fmt="D", color=OURS, capsize=3, markersize=5)
         axes.plot(float(edmd.rpartition("_")[2]), 1.0 / theirs, "o", color=plots.COLOURS[3], markersize=5)
-    axes.plot([], [], "D", color=OURS, label="this project, two series")
+    axes.plot([], [], "D", color=OURS, label="this project; bar: two series of runs")
     axes.plot([], [], "o", color=plots.COLOURS[3], label="EDMD, elastic disks in a plane")
     axes.set(xscale="log", xlabel="disks", ylabel="processor time of a collision, µs", ylim=(0.0, None))
     axes.legend(loc="lower right")
@@ -72,8 +71,9 @@ def draw_drifts(axes, points):
     axes.axhspan(*(plots.MM * (ours["drift_a"] + sign * ours["error_a"]) for sign in (-1.0, 1.0)), color=OURS, alpha=0.2,
                  linewidth=0)
     axes.xaxis.set_minor_formatter(NullFormatter())
-    axes.set(xscale="log", xlabel="processor seconds per simulated second", ylabel="drift of A, mm/s")
-    axes.legend(loc="lower left")
+    axes.plot([], [], "o", color=OURS, markerfacecolor="white", label="open: disks fall through the base")
+    axes.set(xscale="log", xlabel="processor seconds per simulated second", ylabel="drift of A, mm/s; bar: its error")
+    axes.legend(loc="lower left", fontsize=8)
 
 
 def draw(data, path):

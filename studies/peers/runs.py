@@ -19,6 +19,7 @@ from peers.samples import LOOK, SCENE, SCENE_FILE, TIMEOUT
 
 OURS = "ratchet_sieve"
 ROW = "this project"
+ALIKE_ROW = "this project, β = 0 as the others"  # the others have no tangential restitution
 PROGRAMS = {"chipmunk": "chipmunk_mixture", "box2d": "box2d_mixture"}
 
 # Box2D's clock runs faster than the scene's by the root of the scale of its lengths: see box2d_mixture.cpp.
@@ -68,7 +69,7 @@ def rows(programs):
         "LAMMPS": [Case("lammps", "LAMMPS, 5 µs", settle=1.0, duration=3.0, repeated=False)]}
     without_beta = {f"species.{k}.tangential_restitution": 0 for k in (0, 1)}
     found = [Case(OURS, ROW, duration=40.0),
-             Case(OURS, "this project, β = 0 as the others", overrides=without_beta, duration=40.0)]
+             Case(OURS, ALIKE_ROW, overrides=without_beta, duration=40.0)]
     missing = [name for name in cases if not is_there(programs, name.lower())]
     return found + [case for name, own in cases.items() if name not in missing for case in own], missing
 

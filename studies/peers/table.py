@@ -10,9 +10,10 @@ from ratchet_sieve.texts import table
 from peers import lammps_mixture, runs
 
 MM = 1e3  # per m
+NEAR = 0.05  # of a drift, within which it counts as the same
 BUSY = 0.95  # a run with a smaller share of its core did not have it alone
 HEAD = ("", "s per simulated s", "× this project", "Collisions per simulated s", "Drift of A, mm/s", "of B, mm/s",
-        "Disks lost", "Largest overlap, mm: two disks, disk and base")
+        "Both within 5 %", "Disks lost", "Largest overlap, mm: two disks, disk and base")
 KEYS = {"Chipmunk, 0.1 ms": "chipmunk_0_1ms", "Chipmunk, 1/60 s": "chipmunk_1_60s",
         "Chipmunk, 1/240 s": "chipmunk_1_240s", "Box2D, 0.1 ms": "box2d_0_1ms",
         "Box2D, 1/60 s of its clock: 0.53 ms": "box2d_manual", "LAMMPS, 5 µs": "lammps"}
@@ -49,7 +50,15 @@ def libraries(programs, taken):
         yield f"- {title} {own[0]['version']} ({about})"
 
 
-def row(name, own, ours):
+def is_near(own, alike):
+    """Whether both drifts are those of this project without tangential restitution, in words; of its own rows none."""
+    if own[0]["program"] == runs.OURS:
+        return "—"
+    near = (abs(mean.value / expected.value - 1.0) <= NEAR for mean, expected in zip(runs.drift(own), alike))
+    return "yes" if all(near) else "no"
+
+
+def row(name, own, ours, alike):
     speed = runs.speed(own)
     rate = runs.collision_rate(own)
     drifts = [f"{MM * mean.value:+.1f}" + ("" if mean.error is None else f" ± {MM * mean.error:.1f}")
@@ -57,7 +66,8 @@ def row(name, own, ours):
     lost = sum(run["lost"] for run in own) / sum(run["duration"] for run in own)
     overlaps = [max(run[key] for run in own) for key in ("overlap", "base_overlap")]
     return [name, f"{speed:.3g}", f"{speed / ours:.3g}", "—" if rate is None else f"{rate:,.0f}", *drifts,
-            f"{lost:.2g} per s" if lost else "0", ", ".join(f"{MM * overlap:.2g}" for overlap in overlaps)]
+            is_near(own, alike), f"{lost:.2g} per s" if lost else "0",
+            ", ".join(f"{MM * overlap:.2g}" for overlap in overlaps)]
 
 
 def shared(own):
@@ -85,7 +95,9 @@ def render(programs, taken, missing, about):
              f"(LAMMPS: one), on one core; medians. {shared(sum(own.values(), []))}", *libraries(programs, taken)]
     if missing:
         lines.append(f"- Not installed, and left out: {', '.join(missing)}")
-    return "\n".join([*lines, "", table(HEAD, [row(name, of_row, runs.speed(ours)) for name, of_row in own.items()])])
+    alike = runs.drift(own[runs.ALIKE_ROW])
+    return "\n".join([*lines, "", table(HEAD, [row(name, of_row, runs.speed(ours), alike)
+                                               for name, of_row in own.items()])])
 
 
 def figures(taken):

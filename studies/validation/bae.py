@@ -50,6 +50,9 @@ def strength(amplitude):
     return round(amplitude * (2.0 * math.pi * FREQUENCY) ** 2 / GRAVITY, 2)
 
 
+FLOOR, FLOORS = 0.01, "contact.min_rebound_speed"  # of the map and of the checks [m/s]
+
+
 def velocities(rows):
     """@return of each restitution: map from (Γ, h / w) to the mean velocity [m/s]"""
     return {e: {(strength(amplitude), round(height / WIDTH, 9)): cell.mean("mean_vx.A")
@@ -101,7 +104,7 @@ def places(numbers, is_chosen=lambda e, x, y: True):
 
 
 def claims(numbers):
-    fresh = numbers["fresh"]
+    fresh = numbers["fresh"][FLOOR]
     known = places(fresh)
     return [verdicts.Claim("4", "Bae 2004, abstract", "one grain has regimes of no, of normal and of reversed "
                            "current, by the strength of the shaking, the roughness of the teeth and the restitution", (
@@ -111,15 +114,27 @@ def claims(numbers):
                                          "the same", places(fresh, cut)) for name, cut in CUTS.items())))]
 
 
+def text(numbers):
+    """What another floor changes, in words."""
+    known = places(numbers["fresh"][FLOOR])
+    changed = [f"{regime(means[place], LEAST)} in place of {regime(mean, LEAST)} at {place}, v_min = {floor:g} m/s "
+               f"({verdicts.speed(means[place])})" for floor, fresh in numbers["fresh"].items() if floor != FLOOR
+               for means in (places(fresh),) for place, mean in known.items()
+               if regime(means[place], LEAST) != regime(mean, LEAST)]
+    others = " and ".join(f"{floor:g}" for floor in numbers["fresh"] if floor != FLOOR)
+    return (f"The checks are at v_min = {FLOOR:g} m/s. With {others} m/s the regimes are the same, but for: "
+            f"{'; '.join(changed) or 'none'}.")
+
+
 STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others 2004)",
               ("validation_bae", "validation_bae_fresh"),  # of a search, and of fresh seeds at places that it had found
-              lambda rows: {name: velocities(rows[sweep]) for name, sweep in (
-                  ("map", "validation_bae"), ("fresh", "validation_bae_fresh"))},
+              lambda rows: {"map": velocities(rows["validation_bae"]), "fresh": {
+                  floor: velocities(part) for floor, part in sorted(rows["validation_bae_fresh"].by(FLOORS).items())}},
               (Picture("bae_regimes", "Which way single grains go, over the strength of the shaking and the roughness "
                        f"of the teeth, a = 0.3; a current is more than {LEAST * plots.MM:g} mm/s with 95 %",
                        draw_regimes, ("validation_bae",)),
                Picture("bae_current", "Mean velocity of single grains over the strength of the shaking, "
                        f"e = {SLICE:g}, a = 0.3; bars: standard errors over the seeds", draw_curves,
                        ("validation_bae",), (6.4, 4.0))),
-              claims, tables=lambda numbers: {"bae": csv_lines(("e", "gamma", "h_over_w"), ("mean_vx_m_per_s",), {
+              claims, text, tables=lambda numbers: {"bae": csv_lines(("e", "gamma", "h_over_w"), ("mean_vx_m_per_s",), {
                   (e, *place): mean for e, means in numbers["map"].items() for place, mean in means.items()})})

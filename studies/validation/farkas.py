@@ -1,4 +1,4 @@
-"""Two kinds of one size and mass that differ in restitution alone, or in friction alone (Farkas et al. 2002).
+"""Two species of one size and mass that differ in restitution alone, or in friction alone (Farkas et al. 2002).
 
 The parameters were searched for. The checks are of runs with fresh seeds at places that the search had found."""
 import dataclasses
@@ -24,13 +24,13 @@ class Ratchet:
 
 ROWS, ROW_NAME = "density", "d"
 USEFUL = 0.5  # Q from which a mixture counts as segregated: half way from mixed to pure
-RATCHETS = (Ratchet("", "the teeth of Fig. 3", "base.asymmetry", "a = {:g}", "base.frequency", "f = {:g} Hz"),
-            Ratchet("_steep", "small steep teeth", "base.tooth_height", "h = {:g} mm", "base.amplitude",
+RATCHETS = (Ratchet("", "teeth of 20 mm", "base.asymmetry", "a = {:g}", "base.frequency", "f = {:g} Hz"),
+            Ratchet("_steep", "small steep teeth of 5 mm", "base.tooth_height", "h = {:g} mm", "base.amplitude",
                           "amplitude {:g} mm", plots.MM))
 
 
 def velocities(rows, ratchet):
-    """@return map from (row, column, curve, θ) to both kinds' mean velocities and B's less A's, seed by seed [m/s]"""
+    """@return map from (row, column, curve, θ) to both species' mean velocities and B's less A's, seed by seed [m/s]"""
     return {place: (cell.mean("mean_vx.A"), cell.mean("mean_vx.B"),
                     cell.mean(lambda row: row["mean_vx.B"] - row["mean_vx.A"]))
             for place, cell in rows.by(ROWS, ratchet.columns, ratchet.curves, THETA).items()}
@@ -41,9 +41,9 @@ def draw_kinds(means, ratchet, kinds):
     figure, grid = plots.panels(len(rows), len(columns), (8.6, 0.6 + 2.7 * len(rows)), sharex=True, squeeze=False)
     for line, row in zip(grid, rows):
         for axes, column in zip(line, columns):
-            for curve, colour in zip(curves, plots.ramp(len(curves))):
+            for k, curve in enumerate(curves):
                 kind_curves(axes, {theta: means[row, column, curve, theta] for theta in axis(means, 3)},
-                            [f"{kind}, {ratchet.curve.format(ratchet.scale * curve)}" for kind in kinds], colour)
+                            [f"{kind}, {ratchet.curve.format(ratchet.scale * curve)}" for kind in kinds], k)
             plots.signed(axes)
             axes.set_title(f"{ROW_NAME} = {row:g}, {ratchet.column.format(ratchet.scale * column)}")
     for axes in grid[-1]:
@@ -93,43 +93,44 @@ def draw_quality(axes, numbers):
 
 
 def differs(fresh):
-    """That the kinds drift at different speeds, whichever is faster."""
+    """That the species drift at different speeds, whichever is faster."""
     mean = fresh["differing"]
     way = mean.surely_above(0.0)
-    return verdicts.Check(f"on {RATCHETS[0].about} the kinds drift at different speeds ({fresh['differing_at']})",
-                          f"B less A {verdicts.speed(mean)}", None if way is None else True)
+    return verdicts.Check(f"on {RATCHETS[0].about} the species drift at different speeds ({fresh['differing_at']})",
+                          f"B less A {verdicts.speed(mean)}", None if way is None else True, part="different speeds")
 
 
 def opposite(fresh):
     a, b = fresh["opposed"]
     return verdicts.Check(f"on {RATCHETS[1].about} they go opposite ways ({fresh['opposed_at']})",
-                          f"A {verdicts.speed(a)}, B {verdicts.speed(b)}", verdicts.opposite(a, b))
+                          f"A {verdicts.speed(a)}, B {verdicts.speed(b)}", verdicts.opposite(a, b),
+                          part="opposite ways")
 
 
 def claims(number, word, fresh):
-    return [verdicts.Claim(number, "Farkas 2002, abstract", "two kinds of the same size that differ only in their "
+    return [verdicts.Claim(number, "Farkas 2002, abstract", "two species of the same size that differ only in their "
                            f"{word} coefficient can be segregated by an appropriately chosen ratchet",
                            (differs(fresh), opposite(fresh),
                             verdicts.above(f"on an open base Q > {USEFUL:g} ({fresh['quality_at']})", fresh["quality"],
-                                           USEFUL)))]
+                                           USEFUL).about("Q on an open base")))]
 
 
 def text(numbers):
-    """Where the kinds go opposite ways in the search."""
+    """Where the species go opposite ways in the search."""
     found = [f"{sum(bool(verdicts.opposite(a, b)) for a, b, _ in means.values())} of {len(means)} on {ratchet.about}"
              for ratchet, means in numbers["means"].items()]
     return f"Of the search's settings they go opposite ways at {' and '.join(found)}."
 
 
 def picture(name, word, names, ratchet):
-    return Picture(f"{name}{ratchet.suffix}", f"Mean velocities of two kinds that differ in {word} alone, over the "
+    return Picture(f"{name}{ratchet.suffix}", f"Mean velocities of two species that differ in {word} alone, over the "
                    f"inclination, on {ratchet.about}; bars: standard errors over the seeds",
                    lambda numbers: draw_kinds(numbers["means"][ratchet], ratchet, names),
                    (f"validation_{name}{ratchet.suffix}",))
 
 
 def study(number, word, names, scene):
-    """@param names of both kinds. @param scene of the open base, in words"""
+    """@param names of both species. @param scene of the open base, in words"""
     name, sweep = f"farkas_{word}", f"validation_farkas_{word}"
     quality = Picture(f"{name}_quality", f"Q and P on an open base ({scene}); bars: "
                       "standard errors over the seeds", draw_quality, (f"{sweep}_open",), (6.0, 3.6))

@@ -1,4 +1,4 @@
-"""A layer of one kind: its current over its thickness, and over the frequency (Derényi, Tegzes, Vicsek 1998)."""
+"""A layer of one species: its current over its thickness, and over the frequency (Derényi, Tegzes, Vicsek 1998)."""
 from ratchet_sieve import plots
 from ratchet_sieve.stats import jackknife
 from curves import curve_of
@@ -49,9 +49,9 @@ def draw_onset(axes, numbers):
 
 def turns_afresh(fresh):
     """A check by fresh seeds that the current of a thin layer and of a thicker one have opposite signs."""
-    says = "the current reverses as the layer is made thicker (e = 0.6, 30 Hz)"
+    says = "the current reverses as the layer is made thicker (e = 0.85, 22 Hz)"
     told = ", ".join(f"{verdicts.shown(mean, plots.MM, 'mm/s')} at d = {d:g}" for d, mean in fresh.items())
-    return verdicts.Check(says, told, verdicts.opposite(*fresh.values()))
+    return verdicts.Check(says, told, verdicts.opposite(*fresh.values()), part="it reverses")
 
 
 def largest_step(rows, seeds):
@@ -64,9 +64,10 @@ def sets_in(steps):
     """A check that no single step of the frequency makes the most of the current."""
     says = f"it sets in gradually: of the greatest current no step of 1 Hz makes {100 * SUDDEN:g} %"
     if not steps:
-        return verdicts.Check(says, "—", None)
+        return verdicts.Check(says, "—", None, part="it sets in gradually")
     told = "; ".join(f"e = {e:g}, d = {d:g}: {share.text(100.0)} %" for (e, d), share in steps.items())
-    return verdicts.Check(says, told, verdicts.all_of(share.surely_below(SUDDEN) for share in steps.values()))
+    return verdicts.Check(says, told, verdicts.all_of(share.surely_below(SUDDEN) for share in steps.values()),
+                          part="it sets in gradually")
 
 
 def claims(numbers):
@@ -77,7 +78,7 @@ def claims(numbers):
 
 STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)",
               ("validation_layer", "validation_layer_fresh", "validation_layer_onset"), evaluate,
-              (Picture("layer", "Mean velocity of a layer of one kind over its thickness, on steep teeth (w = 6 mm, "
+              (Picture("layer", "Mean velocity of a layer of one species over its thickness, on steep teeth (w = 6 mm, "
                        "h = 5 mm, a = 0.3); bars: standard errors over the seeds", draw, ("validation_layer",)),
                Picture("layer_onset", "Mean velocity of a thin and of a thick layer over the frequency, on the same "
                        "teeth; bars: standard errors over the seeds", draw_onset, ("validation_layer_onset",),

@@ -70,10 +70,10 @@ class Corrupted(unittest.TestCase):
         self.directory = pathlib.Path(scratch.name) / 'tables'
         shutil.copytree(self.whole, self.directory)
 
-    def draw(self, script):
+    def draw(self, script, *options):
         """@return exit status and standard error"""
         errors = io.StringIO()
-        sys.argv = [script.__name__, str(self.directory), *OPTIONS.get(script, ())]
+        sys.argv = [script.__name__, str(self.directory), *OPTIONS.get(script, ()), *options]
         with contextlib.redirect_stderr(errors), contextlib.redirect_stdout(io.StringIO()):
             try:
                 script.main()
@@ -108,6 +108,14 @@ class Corrupted(unittest.TestCase):
         path = self.directory / 'sweep.json'
         path.write_text('[]')
         self.assertEqual(self.draw(sweep), (2, f'{sweep.__name__}: {path}: has no command, seeds, warnings\n'))
+
+    def test_a_report_of_what_there_is_not_is_refused(self):
+        for options, line in ((('--x', 'density'), '--x density: no such name; there are base.inclination\n'),
+                              (('--field', 'speed'), '--field speed: no such name; there are seed, status, '),
+                              (('--where', 'base.inclination=7'), 'no case is done of those that --where asks for\n')):
+            status, said = self.draw(sweep, *options)
+            self.assertEqual((status, said.count('\n')), (2, 1))
+            self.assertTrue(said.startswith(f'{sweep.__name__}: {line}'), said)
 
     def test_no_damage_ends_in_a_traceback(self):
         chance = random.Random(SEED)

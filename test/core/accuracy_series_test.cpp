@@ -60,19 +60,6 @@ TEST(AccuracySeries, OfALayerAddsUpToItsMeans)
   EXPECT_DOUBLE_EQ(simulation.meanSeries().block_time, 2.0 * simulation.timeScale());
 }
 
-TEST(AccuracySeries, IsNotKeptForASceneThatDoesNotAsk)
-{
-  SceneDefinition scene = test::singleParticles(100);
-  Simulation unasked(scene);
-  scene.accuracy.mean_vx = 1e-3;
-  Simulation asked(scene);
-  for (Simulation* simulation : {&unasked, &asked})
-    simulation->advanceTo(5.0);
-  EXPECT_TRUE(unasked.meanSeries().species[0].velocity.empty());
-  EXPECT_TRUE(unasked.meanSeries().species[0].groups.empty());
-  EXPECT_FALSE(asked.meanSeries().species[0].groups.empty());
-}
-
 TEST(AccuracySeries, OfASavedRunIsRefusedWhereItIsMissing)
 {
   const SceneDefinition asking = fedEnsemble();

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/block_averages.h"
+#include "ratchet_sieve/statistics/block_averages.h"
 
 #include <cmath>
 

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "ratchet_sieve/geometry/size_levels.h"
 #include "scenes.h"
 #include "search/cell_grid.h"
-#include "search/size_levels.h"
 
 namespace ratchet_sieve
 {

@@ -10,8 +10,8 @@
 #include "constants.h"
 #include "observed_rows.h"
 #include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/statistics/height_slices.h"
 #include "scenes.h"
-#include "state/height_slices.h"
 
 namespace ratchet_sieve
 {

@@ -39,27 +39,6 @@ BaseDefinition inclinedOrbit(DriveFrame frame)
   return base;
 }
 
-TEST(Orbit, OfTheBaseIsThatOfTheWorldTurned)
-{
-  for (const double frequency : {23.0, 0.0})
-  {
-    BaseDefinition base = inclinedOrbit(DriveFrame::WORLD);
-    base.frequency = frequency;
-    base.phase = 1.0;
-    const BaseMotion world(base);
-    base.drive_frame = DriveFrame::BASE;
-    const BaseMotion turned(base);
-    const Eigen::Rotation2Dd rotation(base.inclination);
-    for (const double time : {0.0, 0.013, 0.7})
-    {
-      const FrameOfBase frame = turned.at(time);
-      EXPECT_LT((frame.displacement - rotation * world.at(time).displacement).norm(), 1e-17);
-      EXPECT_LT((frame.velocity - rotation * world.at(time).velocity).norm(), 1e-15);
-      EXPECT_EQ(frame.velocity.isZero(0.0), frequency == 0.0);
-    }
-  }
-}
-
 TEST(Orbit, IsTheSumOfItsSines)
 {
   BaseDefinition base = test::onAnOrbit(test::mixture(1)).base;

@@ -1,4 +1,4 @@
-#include "search/overlap_search.h"
+#include "ratchet_sieve/geometry/overlap_search.h"
 
 #include <algorithm>
 #include <cmath>

@@ -61,7 +61,7 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
         test::addDisk(system, right);
         const int shift = -1;  // the right disk's image one width to the left
 
-        const auto found = PairSearch(system.pairScene(), 0, 0.0).contactWith(1, shift);
+        const auto found = ContactPrediction(system).pairsOf(0, 0.0).contactWith(1, shift);
         const double end = found.value_or(until);
         for (int i = 0; i < 2000; ++i)
           RC_ASSERT(gapAt(system, shift, end * i / 2000.0) > -1e-15);
@@ -85,7 +85,7 @@ TEST(PairSearch, EndsOnABaseThatTurnsForYears)
   right.position = {0.08, 0.02};
   test::addDisk(system, left);
   test::addDisk(system, right);
-  const auto found = PairSearch(system.pairScene(), 0, 1.0).contactWith(1, -1);
+  const auto found = ContactPrediction(system).pairsOf(0, 1.0).contactWith(1, -1);
   ASSERT_TRUE(found);
   const double inclination = -0.1 + 1e-9 * *found;
   const Eigen::Vector2d way(0.0008 - 0.08 + 0.08 * std::cos(inclination),
@@ -116,7 +116,8 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
         std::vector<std::uint32_t> all(count);
         std::iota(all.begin(), all.end(), 0);
         const int shift = *rc::gen::inRange(-1, 2);
-        const PairSearch search(system.pairScene(), 0, 0.01);
+        const ContactPrediction prediction(system);
+        const PairSearch search = prediction.pairsOf(0, 0.01);
         PairContact expected;
         for (std::uint32_t id = 1; id < count; ++id)
           if (const auto time = search.contactWith(id, shift))
@@ -148,7 +149,8 @@ TEST(PairSearch, TiesGoToTheSmallestId)
     disk.velocity = -20.0 * disk.position;
     test::addDisk(system, disk);
   }
-  const PairSearch search(system.pairScene(), 0, 0.0);
+  const ContactPrediction prediction(system);
+  const PairSearch search = prediction.pairsOf(0, 0.0);
   for (std::uint32_t id = 1; id <= COUNT; ++id)
     ASSERT_EQ(search.contactWith(id, 0), search.contactWith(1, 0));
   const PairContact found = search.firstAmong(backwards.data(), COUNT, 0);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "ratchet_sieve/geometry/pour.h"
 #include "scenes.h"
 
 namespace ratchet_sieve
@@ -36,6 +37,14 @@ double lowestByClimbing(const PlacedDisk& disk, double lowest, const std::vector
   return height;
 }
 
+/// Lowest undersides of poured disks [m].
+constexpr double LOWEST = 0.028;
+
+PourBed bedOf(const BaseDefinition& base, Boundary boundary, const Stretch& stretch)
+{
+  return {base.width(), boundary == Boundary::PERIODIC, stretch.from, stretch.to, LOWEST};
+}
+
 /// Heaps of some tens of disks, in which the free positions are deep below the surface.
 TEST(Pour, PlacesEachDiskAsLowAsThereIsRoomToTheBit)
 {
@@ -49,7 +58,7 @@ TEST(Pour, PlacesEachDiskAsLowAsThereIsRoomToTheBit)
         const std::vector<double> radii = {*rc::gen::element(0.001, 0.004, 0.0042, 0.0043), 0.004,
                                            *rc::gen::element(0.0005, 0.002, 0.00419, 0.0095)};
         const double largest = *std::max_element(radii.begin(), radii.end());
-        Pour pour(base, boundary, Stretch(), 0.02, 2.0 * largest, true);
+        Pour pour(bedOf(base, boundary, Stretch()), 2.0 * largest, true);
         Random random(*rc::gen::arbitrary<std::uint64_t>());
         std::vector<PlacedDisk> disks;
         const auto there = *rc::gen::inRange(0, 100);
@@ -60,8 +69,9 @@ TEST(Pour, PlacesEachDiskAsLowAsThereIsRoomToTheBit)
         }
         for (int i = 0; i < 500; ++i)
         {
-          const PlacedDisk disk = pour.place(radii[random.below(3)], random);
-          const double lowest = (base.tooth_height + base.amplitude + 0.02) + disk.radius;
+          const double radius = radii[random.below(3)];
+          const PlacedDisk disk = pour.place(radius, random.uniform());
+          const double lowest = LOWEST + radius;
           RC_ASSERT(disk.s >= 0.0 && disk.s <= base.width());
           RC_ASSERT(disk.n ==
                     lowestByClimbing(disk, lowest, disks, base.width(), boundary == Boundary::PERIODIC));
@@ -88,12 +98,12 @@ TEST(Pour, StaysOnItsStretch)
         Given{Boundary::WALLED, {0.4, 0.4}, 0.4 - radius, 0.4 - radius},
         Given{Boundary::OPEN, {0.0, 0.0}, radius, radius}, Given{Boundary::OPEN, {0.2, 0.2}, 0.2, 0.2}})
   {
-    Pour pour(base, given.boundary, given.stretch, 0.02, 2.0 * radius, true);
+    Pour pour(bedOf(base, given.boundary, given.stretch), 2.0 * radius, true);
     Random random(3);
     const int count = 400;
     std::vector<double> places;
     for (int i = 0; i < count; ++i)
-      places.push_back(pour.place(radius, random).s);
+      places.push_back(pour.place(radius, random.uniform()).s);
     std::sort(places.begin(), places.end());
     EXPECT_GE(places.front(), given.from - 1e-15);
     EXPECT_LE(places.back(), given.to + 1e-15);

@@ -28,6 +28,18 @@ BaseDefinition baseOf(const std::vector<OutlineCorner>& profile)
   return base;
 }
 
+TEST(BaseShape, NormalsPointOutOfTheBase)
+{
+  const BaseShape shape(BaseDefinition(), Boundary::PERIODIC);
+  // a w = 6 mm, h = 6 mm: the left slope rises at 45 degrees.
+  EXPECT_NEAR(shape.faces()[0].normal.x(), -std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(shape.faces()[0].normal.y(), std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(shape.faces()[1].normal.x(), 6.0 / std::hypot(6.0, 14.0), 1e-15);
+  EXPECT_NEAR(shape.faces()[1].normal.y(), 14.0 / std::hypot(6.0, 14.0), 1e-15);
+  // The ratio of the slopes' lengths, which the paper compares with the ratio of contacts.
+  EXPECT_NEAR(shape.faces()[0].length / shape.faces()[1].length, 0.557, 5e-4);
+}
+
 /// Distance to the outline of all teeth within reach, and whether the point is below it, corner by corner.
 double slowHeightAbove(BaseDefinition base, double s, double n)
 {

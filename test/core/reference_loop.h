@@ -10,7 +10,7 @@
 
 #include "bench.h"
 #include "ratchet_sieve/core/simulation.h"
-#include "search/pair_search.h"
+#include "state/contact_prediction.h"
 #include "state/placement.h"
 
 namespace ratchet_sieve::test
@@ -92,6 +92,7 @@ private:
       if (event.time <= end && (!best || event.time < best->time))
         best = event;
     };
+    ContactPrediction prediction(state_);
     const int images = state_.scene().boundary == Boundary::PERIODIC ? images_ : 0;
     for (std::uint32_t i = 0; i < state_.disks().size(); ++i)
     {
@@ -99,12 +100,12 @@ private:
         continue;
       BaseEvent base{now_, {}};
       while (!base.feature && base.time < end)
-        base = state_.search().find(state_.disk(i), base.time, end);
+        base = prediction.nextBaseEvent(i, state_.flown(i, base.time), end);
       if (base.feature)
         take({base.time, i, i, 0, base.feature});
       for (std::uint32_t j = 0; j < i; ++j)
         for (int shift = -images; shift <= images && state_.active(j); ++shift)
-          if (const auto time = PairSearch(state_.pairScene(), i, now_).contactWith(j, shift))
+          if (const auto time = prediction.pairsOf(i, now_).contactWith(j, shift))
             take({*time, i, j, shift, {}});
     }
     return best;

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/segregation.h"
+#include "ratchet_sieve/statistics/segregation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -119,37 +119,6 @@ TEST(Simulation, DisplacementIsUnwrappedAndPlacesAreNot)
   EXPECT_GT(farthest, 0.5);
 }
 
-TEST(Simulation, MeanVelocityIsDisplacementOverTimeSinceSettle)
-{
-  SceneDefinition scene = test::singleParticles(30);
-  scene.settle = 2.0;
-  Simulation simulation(scene);
-  simulation.advanceTo(2.0);
-  std::vector<double> before;
-  for (const DiskState& disk : simulation.disks())
-    before.push_back(disk.displacement);
-  simulation.advanceTo(7.0);
-  double sum = 0.0;
-  for (const DiskState& disk : simulation.disks())
-    sum += disk.displacement - before[disk.id];
-  EXPECT_NEAR(*simulation.means()[0].mean_vx, sum / 30.0 / 5.0, 1e-14);
-  EXPECT_GT(*simulation.means()[0].mean_vx_stderr, 0.0);
-}
-
-TEST(Simulation, KineticMeansAreExactIntegralsOverFreeFall)
-{
-  SceneDefinition scene = test::singleParticles(1);
-  scene.species[0].count = 0;
-  scene.initial = {{0, 0.1, 5.0, 0.3, 0.0, 7.0}};
-  Simulation simulation(scene);
-  simulation.advanceTo(0.5);
-  // <v^2> = vx^2 + (g T)^2 / 3
-  EXPECT_NEAR(*simulation.means()[0].kinetic_translational,
-              0.5 * 0.001 * (0.09 + std::pow(9.81 * 0.5, 2) / 3.0), 1e-15);
-  EXPECT_NEAR(*simulation.means()[0].kinetic_rotational, 0.5 * 0.5 * 0.001 * 1e-6 * 49.0, 1e-20);
-  EXPECT_FALSE(simulation.means()[0].mean_vx_stderr);
-}
-
 std::string refusal(const SceneDefinition& scene)
 {
   try

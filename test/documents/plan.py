@@ -7,6 +7,7 @@
 # name are there.
 NOT_RUN = {
     './scripts/demo': 'installs packages and builds; demo.test launches the same',
+    './scripts/python': 'installs packages and builds',
     './scripts/test': 'installs packages, builds, and runs this test',
     './scripts/fuzz': 'builds with clang; minutes',
     'studies/work_precision.py': 'forty minutes',

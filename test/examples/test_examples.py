@@ -15,6 +15,7 @@ PROGRESS = re.compile(r"\r[^\r\n]*\n?")  # with what is said of it
 QUICK = {
     "first_steps": ("DURATION, INCLINATIONS, SEEDS, FILM = 4.0, [0.1, 0.2], 2, 0.2", 2),
     "my_two_grains": ("BASE[\"teeth\"], WITHIN = 10, 0.2", 3),
+    "calibrate": ("FEEDER[\"duration\"], SETTINGS = 20.0, SETTINGS[::2]; UNKNOWN = dict(list(UNKNOWN.items())[:1])", 1),
     "controller": ("DURATION, CHANGE, SEEDS = 40.0, 20.0, [1, 2]", 1),
 }
 
@@ -33,6 +34,7 @@ def place(tmp_path, monkeypatch):
     for name in ("config", "docs"):
         (tmp_path / name).symlink_to(PACKAGE / name)
     (tmp_path / "examples").mkdir()
+    (tmp_path / "examples/sealed_feeder.txt").symlink_to(PACKAGE / "examples/sealed_feeder.txt")
     for variable in ("IPYTHONDIR", "JUPYTER_RUNTIME_DIR", "MPLCONFIGDIR"):
         monkeypatch.setenv(variable, str(tmp_path / variable))
     return tmp_path / "examples"

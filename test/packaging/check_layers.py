@@ -10,6 +10,8 @@ from pathlib import Path
 
 # External libraries that a layer may use, by the first folder or name of the include, or the header; None: any.
 LIBRARIES = {
+    'statistics': set(),
+    'geometry': set(),
     'core': {'Eigen'},
     'scene': {'Eigen', 'yaml-cpp', 'fmt'},
     'recording': {'Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'boost'},
@@ -25,7 +27,7 @@ LIBRARIES = {
 # Standard C++ headers have no dot and no slash; these are the headers of POSIX and of compilers.
 POSIX_AND_COMPILER = {'unistd.h', 'signal.h', 'fcntl.h', 'sys', 'emmintrin.h', 'immintrin.h'}
 # The core's sublayers ("floors"), folders of src/core, from the lowest up; files in no folder are above them all.
-FLOORS = ['model', 'search', 'state', 'simd', 'events']
+FLOORS = ['model', 'search', 'state', 'observe', 'simd', 'events']
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 TYPE = re.compile(r'(?:template <.+> )?(?:struct|class|union|enum|enum class) (?:alignas\(.+?\) )?(\w+)(?: final)?(?: : .+)?')
 

@@ -22,10 +22,10 @@ void runInto(RunPage& page, const SceneDefinition& scene, double rate = PAGE_RAT
 }
 
 std::string pageOf(const RunPage& page, const std::string& title,
-                   const std::vector<std::string>& warnings = {})
+                   const nlohmann::ordered_json& summary = nlohmann::ordered_json::object())
 {
   const ScratchDirectory directory;
-  page.write(directory / "run.html", title, warnings);
+  page.write(directory / "run.html", title, summary);
   return contents(directory / "run.html");
 }
 
@@ -41,9 +41,11 @@ TEST(RunPage, HoldsWhatTheAnalysisFinds)
   const SceneDefinition scene = smallMixture();
   RunPage page;
   runInto(page, scene);
-  const nlohmann::json json = dataOf(pageOf(page, "a run", {"a warning"}));
+  const nlohmann::json json =
+      dataOf(pageOf(page, "a run", {{"warnings", {"a warning"}}, {"steady_reason", "no feed"}}));
   EXPECT_EQ(json["title"], "a run");
   EXPECT_EQ(json["warnings"][0], "a warning");
+  EXPECT_EQ(json["results"]["steady_reason"], "no feed");
   EXPECT_EQ(json["results"]["quality"].is_null(), !page.analysis().result().lastBins()->quality.has_value());
   EXPECT_EQ(json["machine"]["boundary"], "open");
   EXPECT_EQ(json["machine"]["species"][1]["name"], "B");
@@ -55,7 +57,7 @@ TEST(RunPage, TakesTextsForData)
   const std::string bad = "</script><script>alert(1)</script>";
   RunPage page;
   page.take(makeSceneFrame(Simulation(smallRing())));
-  const std::string html = pageOf(page, "a & b </title><b>", {bad});
+  const std::string html = pageOf(page, "a & b </title><b>", {{"warnings", {bad}}});
   EXPECT_EQ(html.find(bad), std::string::npos);
   EXPECT_NE(html.find("<title>a &amp; b &lt;/title&gt;&lt;b&gt;</title>"), std::string::npos);
   EXPECT_EQ(dataOf(html)["warnings"][0], bad);
@@ -92,7 +94,7 @@ TEST(RunPage, NeedsAScene)
   RunPage page;
   EXPECT_THROW(page.take(ParticleFrame()), AnalysisError);
   const ScratchDirectory directory;
-  EXPECT_THROW(page.write(directory / "run.html", "run", {}), AnalysisError);
+  EXPECT_THROW(page.write(directory / "run.html", "run"), AnalysisError);
   EXPECT_TRUE(directory.empty());
 }
 
@@ -103,10 +105,10 @@ TEST(RunPage, IsWrittenWholeOrNotAtAll)
   runInto(page, smallRing());
   {
     const FileSizeLimit limit(100'000);
-    EXPECT_THROW(page.write(directory / "run.html", "run", {}), OutputError);
+    EXPECT_THROW(page.write(directory / "run.html", "run"), OutputError);
   }
   EXPECT_TRUE(directory.empty());
-  EXPECT_THROW(page.write(directory / "no/run.html", "run", {}), OutputError);
+  EXPECT_THROW(page.write(directory / "no/run.html", "run"), OutputError);
 }
 
 }  // namespace

@@ -13,12 +13,14 @@ import pytest
 
 import ratchet_sieve as rs
 from feeder import SCENE, THETA, TWINS, changed
-from ratchet_sieve import stats
+from ratchet_sieve import stats, tables
 from ratchet_sieve.answers import answer as answer_module
 from ratchet_sieve.answers import cost, final, intervals, search, stages
 from ratchet_sieve.answers.answer import MOST_ROWS
 from ratchet_sieve.answers.machine import CUT, EMPTY, LEAST_WORKING, Machine
 from ratchet_sieve.answers.surface import OFFSET, Surface
+from ratchet_sieve.plots.findings import best_setting, way_of
+from ratchet_sieve.plots.means import Limits
 
 
 @pytest.fixture(scope="module")
@@ -118,6 +120,22 @@ def test_the_answer_is_that_of_many_runs(answer):
     others = rs.sweep(rs.Scene(SCENE, {"duration": 20.0}), {THETA: list(np.linspace(0.0, 0.4, 9))}, seeds=2)
     best = others.groupby(THETA).separation.mean().abs().max()
     assert best < abs(mean.value) + answer.within + 0.06  # of the highest of 9 means of two
+
+
+def test_a_sweep_with_fresh_seeds_its_report_and_a_page_say_the_same(answer, tmp_path):
+    scene = answer.scene.replace(duration=40.0)
+    table = rs.sweep(scene, {THETA: [answer.best[THETA]]}, seeds=(10**8, 8))
+    rows = tables.rows_of(table.assign(arguments=""))
+    setting, group = best_setting(rows, {"": 8}, 8, Limits())
+    mean = group.mean(tables.STEADY_QUALITY)
+    assert abs(mean.value - abs(answer.separation.value)) < np.hypot(mean.half_width(), answer.separation.half_width)
+    assert way_of(group, tables.STEADY_QUALITY).endswith(str(answer).splitlines()[0].partition(": ")[2])
+    run = rs.run(scene, frames=1.0)
+    run.write(tmp_path / "run.html")
+    data = (tmp_path / "run.html").read_text(encoding="utf-8").partition(' id="data">')[2].partition("</script>")[0]
+    page = json.loads(data)["results"]["steady"]["separation"]
+    assert page["value"] == run.summary.steady.separation.value
+    assert abs(page["value"] - answer.separation.value) < np.hypot(page["half_width"], answer.separation.half_width)
 
 
 def test_the_best_is_of_fresh_seeds_and_among_those_as_good(answer):
@@ -349,6 +367,45 @@ def test_runs_that_say_nothing_say_why():
     assert cost.whys(seen.iloc[[1, 1, 3]]) == f"2 {EMPTY}, 1 choked"
 
 
+def test_a_run_that_has_not_settled_is_run_again_as_long_as_it_needs_or_given_up():
+    short = Machine(SCENE, {THETA: (0.0, 0.4)}).shortest
+
+    def row(units, needs, **others):
+        reason = {"steady_reason": "too short: of all"}
+        return {"simulated_time": units * short, "duration": units * short, "steady_needs": needs and needs * short,
+                **reason, **others}
+
+    machine, rows = told([row(1, None), row(1, 3), row(1, 60), row(4, 13), row(10, 40), row(40, None), row(1, 3, status="cut"),
+                          row(1, None, steady_reason="choked: by 1 s"), steady((29, 0), (30, 60))])
+    units, at_last = machine.longer(rows, machine.observed(rows))
+    assert list(units) == pytest.approx([2.0, 3.3, 4.0, 14.3, np.inf, np.inf, 1.0, np.inf, np.inf])
+    assert list(at_last[:4]) == pytest.approx([2.0, 3.3, 40.0, 14.3])
+    assert search.usual_length(machine, rows.iloc[:3]) == pytest.approx(3.3)
+    assert search.usual_length(machine, rows.iloc[-1:]) == pytest.approx(40.0 / short)
+
+
+def test_a_setting_near_lift_off_is_warned_of_and_must_be_better():
+    frequency = np.sqrt(1.05 * 9.81 / 0.002) / (2.0 * np.pi)
+    machine = Machine(SCENE, {"base.frequency": (8.0, 20.0)})
+    text, = cost.lift_off_text(machine, machine.place({"base.frequency": frequency}))
+    assert text.startswith("the base's peak acceleration is 1.05 g there")
+    assert cost.lift_off_text(machine, [1.0]) == cost.lift_off_text(Machine({**SCENE, "feed": {"rate": 0.0}, "density": 1.0},
+                                                                            {"base.frequency": (8.0, 20.0)}), [0.3]) == []
+    found = search.Search(machine, 0.02, 1)
+    places = machine.low + found.grid[:, 0] * (machine.high - machine.low)
+    near = 0.002 * (2.0 * np.pi * places) ** 2 < 1.1 * 9.81
+    assert near.any() and (found._handicap == np.where(near, 0.02, 0.0)).all()
+
+
+def test_fresh_runs_that_fill_up_are_told_with_their_number():
+    machine, rows = told([steady((29, 1), (30, 60))] * 11 + [{"steady_reason": "still filling: 99 inside"}])
+    fresh, notes = final.Fresh(), []
+    fresh.rows = rows
+    assert len(fresh.working(machine, notes)) == 11
+    assert notes == ["of 12 fresh runs some are left out: 1 still filling",
+                     "it may not stay as it is: about once in 8 min of work it fills up"]
+
+
 def test_equal_values_are_no_certainty():
     machine, rows = told([steady((0, 45), (30, 60))] * 3)
     found = intervals.interval_of(machine, rows)
@@ -391,7 +448,7 @@ def test_a_machine_that_fills_up_is_no_answer(tmp_path):
     assert len(filled) and filled.value.isna().all() and filled["feed.rate"].min() > found.as_good["feed.rate"].max()
     assert set(filled.why) <= {"choked", "still filling", "not settled", "too short"}
     assert any(name in [text.get_text() for text in found.plot().get_legend().get_texts()] for name in set(filled.why))
-    assert (found.as_good.may_lose >= 0.0).all() and found.as_good.inside.notna().all()
+    assert found.as_good.may_lose.between(0.0, abs(found.separation.value) + 0.2).all() and found.as_good.inside.notna().all()
 
 
 def test_a_second_machine_closes_the_balance(answer, monkeypatch):

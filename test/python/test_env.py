@@ -405,3 +405,54 @@ def test_the_example_learns_the_best_inclination(tmp_path):
     learned = runpy.run_path(str(places.CHECKOUT / "examples/learn_inclination.py"))["main"]
     assert learned(["--generations", "2", "--picture", str(tmp_path / "learned.png")]) == pytest.approx(0.15, abs=0.03)
     assert (tmp_path / "learned.png").stat().st_size > 10000
+
+
+# Sensors.
+
+SENSORS = {"scale": {"rate": 1}, "count": {"rate": 1}, "level": {"rate": 1}}
+
+
+def test_exact_sensors_say_what_is_true(scene):
+    env = SieveEnv(scene, sensors=SENSORS, observations=("sensors", "bins"))
+    observation, _ = env.reset(seed=1)
+    assert element(env, observation, "level") == sum(of.on_base for of in env.readings.bins.values())
+    for _ in range(8):
+        observation, *_ = env.step(ACTION)
+    bins = env.readings.bins
+    assert sum(of.right for of in bins.values()) > 10
+    for side in ("left", "right"):
+        for kind, of in bins.items():
+            assert element(env, observation, f"{side}/count.{kind}") == of[side]
+        mass = sum(of[f"{side}_mass"] for of in bins.values())
+        assert math.isclose(element(env, observation, f"{side}/scale"), mass, abs_tol=1e-12)
+    assert element(env, observation, "level") == sum(of.on_base for of in bins.values())
+    assert env.readings.sensors["level"] == element(env, observation, "level")
+
+
+def test_sensors_of_a_real_machine_come_again_and_change_nothing(scene):
+    noisy = {"count": {"miss": 0.2, "delay": 1.0}, "scale": {"noise": 0.1}}
+
+    def run(env):
+        env.reset(seed=3)
+        return np.array([env.step(np.full(env.action_space.shape, 0.15))[0] for _ in range(5)])
+
+    both = SieveVectorEnv(scene, 2, sensors=noisy, observations=("sensors", "bins"))
+    runs = run(both)
+    assert np.array_equal(runs, run(both))
+    assert np.array_equal(runs[:, 0], run(SieveEnv(scene, sensors=noisy, observations=("sensors", "bins"))))
+    plain = SieveEnv(scene, observations=("bins",))
+    assert np.array_equal(runs[:, 0, -len(plain.observation_names):], run(plain))
+    assert not np.array_equal(element(both, runs, "left/scale"), element(both, runs, "right/scale"))
+
+
+def test_sensors_are_asked_for_by_their_names(scene):
+    with pytest.raises(rs.SceneError, match="camera: unknown key; must be one of count, level, scale"):
+        SieveEnv(scene, sensors={"camera": {}})
+    with pytest.raises(rs.SceneError, match="^sensors: count.miss = 2: must be a number from 0 to 1; did you mean"):
+        SieveEnv(scene, sensors={"count": {"miss": 2}})
+    with pytest.raises(ValueError, match="observations: there is none of the name 'sensors'"):
+        SieveEnv(scene, observations=("sensors",))
+    env = pickle.loads(pickle.dumps(SieveEnv(scene, sensors=SENSORS)))
+    env.reset(seed=1)
+    with pytest.raises(TypeError, match="before its first reset"):
+        pickle.dumps(env)

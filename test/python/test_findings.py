@@ -47,7 +47,7 @@ def test_the_best_setting_is_of_the_highest_mean_not_of_one_lucky_seed(cases):
     assert found["best"] == {
         "values": {KEY: "0.1"}, "quality": pytest.approx(0.55), "separation": pytest.approx(-0.55),
         "quality_stderr": pytest.approx(0.05 / math.sqrt(3)), "seeds": 3, "processed": pytest.approx(0.9),
-        "counted": 100.0, "at_edge": []}
+        "counted": 100.0, "at_edge": [], "steady": None}
     assert found["lines"] == ["best mean Q 0.550 ± 0.029 over 3 seeds, P 0.90, 100 disks counted: "
                               "base.inclination=0.1", "warning in every case: hot"]
 
@@ -59,6 +59,21 @@ def test_the_sign_of_the_best_says_which_way(cases):
     for case in cases:
         case.update({"recovery.left.number.A": 0.9, "separation": -case["separation"]})
     assert findings(cases)["lines"][0].endswith("; s +0.550: B goes more to the right, A more to the left")
+
+
+def test_machines_with_a_feed_are_compared_once_they_have_filled(cases):
+    steady = {"0.1": [-0.1] * 3, "0.2": [-0.2, -0.22, -0.24], "0": [0.9, None, None]}  # at 0 one run has filled it
+    for case in cases:
+        of_seed = steady.get(case["arguments"].split("=")[1].split()[0], [None] * 3)
+        case["steady.separation.value"] = of_seed[int(case["arguments"][-1]) - 1]
+        case["steady.quality.value"] = None if case["steady.separation.value"] is None else abs(case["steady.separation.value"])
+    found = findings(cases)
+    assert found["lines"][0] == (
+        "best mean Q of the filled machine 0.220 +- 0.012 over 3 seeds (since the start 0.300 +- 0.000 over 3 seeds), "
+        "P 1.00, 200 disks counted: base.inclination=0.2")
+    assert found["best"]["steady"] == {"quality": pytest.approx(0.22), "separation": pytest.approx(-0.22),
+                                       "quality_stderr": pytest.approx(0.02 / math.sqrt(3)), "seeds": 3}
+    assert found["best"]["quality"] == pytest.approx(0.3)
 
 
 def test_settings_of_few_disks_or_a_low_p_are_left_out(cases):

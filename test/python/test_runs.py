@@ -348,12 +348,6 @@ def test_each_seed_is_exact_also_where_version_1_0_has_rounded_it(scene, tmp_pat
     assert again["seed"].tolist() == seeds and again["wall_time"].tolist() == table["wall_time"].tolist()
 
 
-def test_there_is_one_zero(scene):
-    level, minus = (scene.replace({"base.inclination": zero}) for zero in (0.0, -0.0))
-    assert minus.hash == level.hash and minus.yaml == level.yaml
-    assert len(rs.sweep(level.replace(duration=0.2), {"base.inclination": [-0.0, 0.0]}, seeds=2, progress=False)) == 2
-
-
 def test_a_locale_with_a_decimal_comma_changes_no_number(scene, tmp_path, request):
     def written(name):
         """All that a run and a sweep write, but the wall times."""

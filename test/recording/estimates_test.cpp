@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "coverage.h"
-#include "ratchet_sieve/core/block_averages.h"
+#include "ratchet_sieve/statistics/block_averages.h"
 
 namespace ratchet_sieve
 {

@@ -144,6 +144,9 @@ TEST(Filling, IsNotFoundWithinThreeResidenceTimes)
   Queue queue;
   queue.stay = 30.0;
   EXPECT_EQ(refusals(queue, 120.0, ""), QUEUES);
+  // 3 residence times until it has filled, and as many to tell.
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    EXPECT_NEAR(foundIn(seriesOf(queue, 120.0, seed)).needs.value_or(0.0), 6.0 * queue.stay, queue.stay);
   const std::string reason = foundIn(seriesOf(queue, 3.0, 1)).reason;
   EXPECT_EQ(reason, "too short: 3 s, but 4.8 s are needed to tell");
 }

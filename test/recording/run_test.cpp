@@ -284,30 +284,5 @@ TEST(Run, ShowsPeriodsThatBeganWhileSomebodyListened)
   EXPECT_GT(windows, 20u);
 }
 
-TEST(SceneFrame, CarriesTheSceneAsItRuns)
-{
-  SceneDefinition scene = smallMixture();
-  scene.seed = 77;
-  const SceneFrame frame = makeSceneFrame(Simulation(scene));
-  EXPECT_EQ(frame.seed, 77u);
-  EXPECT_EQ(frame.version, version());
-  EXPECT_EQ(frame.scene_hash, sceneHash(scene));
-  EXPECT_EQ(canonicalYaml(sceneFromText(frame.yaml, "frame").definition), canonicalYaml(scene));
-}
-
-TEST(BinFrame, CountsAndRates)
-{
-  Simulation simulation(smallMixture());
-  EXPECT_FALSE(makeBinFrame(simulation).quality);
-  EXPECT_FALSE(makeBinFrame(simulation).processed);
-  simulation.advanceTo(2.0);
-  const BinFrame frame = makeBinFrame(simulation);
-  EXPECT_EQ(frame.species, (std::vector<std::string>{"A", "B"}));
-  ASSERT_GT(frame.bins[0].counted() + frame.bins[1].counted(), 0u);
-  EXPECT_EQ(frame.bins[0].counted() + frame.bins[0].on_base, 6u);
-  EXPECT_EQ(frame.processed, processedRatio(frame.bins));
-  EXPECT_EQ(frame.quality, bestSeparation(frame.bins).quality());
-}
-
 }  // namespace
 }  // namespace ratchet_sieve

@@ -119,13 +119,6 @@ std::string differenceFrom(double from, const CollectingSink& sink)
   return resimulation.difference().value_or("");
 }
 
-TEST(StatisticsWindow, ComesOutTheSameInARunOfTheRecordedScene)
-{
-  const CollectingSink sink = recorded(layer(), 10.0);
-  EXPECT_EQ(differenceFrom(0.0, sink), "");
-  EXPECT_EQ(differenceFrom(0.45, sink), "") << "a later file of a recording that was split";
-}
-
 TEST(StatisticsWindow, ComesOutTheSameInARunThatWasTakenUp)
 {
   Simulation before(layer());
@@ -137,25 +130,6 @@ TEST(StatisticsWindow, ComesOutTheSameInARunThatWasTakenUp)
   runToEnd(after, watchers);
   ASSERT_EQ(sink.scenes.at(0).time, 0.45);
   EXPECT_EQ(differenceFrom(0.45, sink), "");
-}
-
-TEST(StatisticsWindow, DoesNotDependOnWhoElseIsShownFrames)
-{
-  const CollectingSink alone = recorded(layer(), 10.0);
-  ratchet_sieve::Run run(Simulation(layer()), 1.0);
-  CollectingSink to_ten, to_more;
-  run.add(to_ten, {0.0, 0.0, 0.0, 10.0});
-  run.add(to_more, {60.0, 0.0, 0.0, 47.0});
-  run.takeDue();
-  while (!run.finished())
-    run.advanceTo(run.endTime());
-  ASSERT_EQ(to_ten.statistics.size(), alone.statistics.size());
-  for (std::size_t k = 0; k < alone.statistics.size(); ++k)
-  {
-    StatisticsFrame frame = to_ten.statistics[k];
-    frame.max_overlap = alone.statistics[k].max_overlap;  // sieve_run audits all disks
-    EXPECT_TRUE(sameButForSpeed(frame, alone.statistics[k])) << k;
-  }
 }
 
 }  // namespace

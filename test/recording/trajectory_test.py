@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Trajectories of sieve_run as ASE reads them.
 
-Usage: trajectory_test.py SIEVE_RUN [with_ros]
+Usage: trajectory_test.py SIEVE_RUN
 """
 import json
 import math
@@ -14,9 +14,7 @@ import unittest
 import ase.io
 import numpy
 
-SIEVE_RUN = sys.argv[1]
-WITH_ROS = 'with_ros' in sys.argv
-sys.argv[1:] = []
+SIEVE_RUN = sys.argv.pop(1)
 
 FLIGHT = """
 base: {teeth: 10, inclination: 0.2, amplitude: 0.001}
@@ -97,29 +95,6 @@ class Trajectory(unittest.TestCase):
             heights = (frame.positions - frame.positions[0]) @ (frame.cell[1] / numpy.linalg.norm(frame.cell[1]))
             numpy.testing.assert_allclose(heights[:4], [0, 0.003, -0.001, 0], rtol=0, atol=1e-15)
             numpy.testing.assert_array_equal(frame.positions[0], frame.info['Origin'] * [1, 1, 0])
-
-    @unittest.skipUnless(WITH_ROS, 'bags need ROS')
-    def test_it_is_the_bag(self):
-        import rosbag
-        bag = self.directory / 'run.bag'
-        _, frames, base = self.frames(FED, '--bag', bag)
-        with rosbag.Bag(str(bag)) as recorded:
-            disks = [message for _, message, _ in recorded.read_messages('/sieve/particles')]
-            drive = [message for _, message, _ in recorded.read_messages('/sieve/base')]
-        self.assertEqual(len(frames), len(disks))
-        self.assertEqual(len(base), len(drive))
-        for frame, message in zip(frames, disks):
-            numpy.testing.assert_array_equal(frame.arrays['id'], message.id)
-            numpy.testing.assert_array_equal([['A', 'B', 'C'].index(name) for name in frame.arrays['type']],
-                                             message.species)
-            for here, there in ((frame.positions[:, 0], 'x'), (frame.positions[:, 1], 'y'),
-                                (frame.arrays['velo'][:, 0], 'vx'), (frame.arrays['velo'][:, 1], 'vy'),
-                                (frame.arrays['omega'][:, 2], 'spin'), (frame.arrays['angle'], 'angle'),
-                                (frame.arrays['displacement'], 'displacement'), (frame.arrays['radius'], 'radius')):
-                numpy.testing.assert_array_equal(here, getattr(message, there), there)
-        for frame, message in zip(base, drive):
-            numpy.testing.assert_array_equal(frame.positions[0], [message.horizontal_displacement,
-                                                                  message.displacement, 0])
 
     def test_a_resumed_run_writes_the_rest(self):
         checkpoint = self.directory / 'run.checkpoint'

@@ -47,22 +47,6 @@ TEST_F(Node, latchesItsScene)
   EXPECT_EQ(frame.seed, sceneOfNode().seed);
 }
 
-TEST_F(Node, stepsAsTheSimulationDoesBitForBit)
-{
-  Simulation simulation(sceneOfNode());
-  for (const double duration : {0.25, 0.1234567, 0.5})
-    sieve.stepAndSee(duration);
-  EXPECT_EQ(sieve.particles.frames.back().time, 0.25 + 0.1234567 + 0.5);
-  ASSERT_GT(sieve.particles.frames.size(), 50u);
-  for (std::size_t k = 0; k < sieve.particles.frames.size(); ++k)
-  {
-    const ParticleFrame& frame = sieve.particles.frames[k];
-    simulation.advanceTo(frame.time);
-    ASSERT_TRUE(sameBits(frame.disks, makeParticleFrame(simulation).disks)) << "at " << frame.time << " s";
-    ASSERT_EQ(sieve.particles.stamps[k], ros::Time(frame.time));
-  }
-}
-
 /// Of the same disks as ~bins, and undefined where nothing has left.
 TEST_F(Node, publishesThePurityOfTheBins)
 {

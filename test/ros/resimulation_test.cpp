@@ -26,9 +26,10 @@ constexpr double STRIDE = 0.01;
 class RecordedRun
 {
 public:
-  explicit RecordedRun(const SceneDefinition& scene, const std::string& bag)
+  /// @param driven by drives that are not exact
+  explicit RecordedRun(const SceneDefinition& scene, const std::string& bag, bool driven = false)
       : recorder_(bag, "/sieve", everyFrame()),
-        control(YAML::Load(canonicalYaml(scene)), "scene", parameters(), recorder_)
+        control(YAML::Load(canonicalYaml(scene)), "scene", parameters(driven), recorder_)
   {
     recorder_.open();
     control.begin();
@@ -49,7 +50,7 @@ public:
   {
     step(*rc::gen::inRange(1, 300) / 1237.0);
     const double share = *rc::gen::inRange(0, 1000) / 999.0;
-    switch (*rc::gen::inRange(0, 7))
+    switch (*rc::gen::inRange(0, 8))
     {
       case 0:
         return control.command(Quantity::INCLINATION, 0.3 * share);
@@ -64,6 +65,8 @@ public:
         control.unpause();
         return control.pause();
       case 5:
+        return expect(control.fault("inclination", share < 0.5 ? "stuck" : "none"));
+      case 6:
         ++bags;
         return expect(control.resetWorld());
       default:
@@ -75,11 +78,15 @@ public:
   int bags = 1;
 
 private:
-  static NodeParameters parameters()
+  static NodeParameters parameters(bool driven)
   {
     NodeParameters all;
     all.start_paused = true;
     all.slew_rates = {0.3, 20.0, 0.01};
+    if (driven)
+      all.drives = {{{0.2, 0.0, 0.0, {}, 0.03},
+                     {0.0, 0.1, 0.01, {}, 0.0},
+                     {0.1, 0.1, 0.0, {{10.0, 1.0}, {40.0, 0.5}}, 0.0}}};
     return all;
   }
 
@@ -120,7 +127,8 @@ SceneDefinition fedMixture()
 RC_GTEST_PROP(Resimulation, givesEveryBagOfARunAgain, ())
 {
   const ScratchDirectory scratch;
-  RecordedRun run(*rc::gen::arbitrary<bool>() ? fedMixture() : smallRing(), scratch / "run.bag");
+  RecordedRun run(*rc::gen::arbitrary<bool>() ? fedMixture() : smallRing(), scratch / "run.bag",
+                  *rc::gen::arbitrary<bool>());
   const int operations = *rc::gen::inRange(1, 12);
   for (int k = 0; k < operations; ++k)
     run.drawOperation();

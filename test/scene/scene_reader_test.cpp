@@ -87,46 +87,31 @@ pairs: [{species: [A, B], restitution: 0.25}]
   EXPECT_DOUBLE_EQ(scene.pairs[0].contact.friction, 0.2);
 }
 
-TEST(SceneReader, SplitsADensityIntoEqualNumbers)
-{
-  // The mixture of Fig. 8: W = 0.4 m, d = 3.93, diameters of 2 mm and 4 mm: 1.572 m / 6 mm = 262 of each.
-  const Scene scene = read(R"(
-species:
-  - {name: A, radius: 0.001, mass: 0.010}
-  - {name: B, radius: 0.002, mass: 0.001}
-density: 3.93
-)");
-  EXPECT_EQ(scene.definition.species[0].count, 262);
-  EXPECT_EQ(scene.definition.species[1].count, 262);
-  EXPECT_TRUE(scene.warnings.empty());
-}
-
 TEST(SceneReader, SplitsADensityByShares)
 {
-  // S = 0.4 m; three A of 2 mm to one B of 4 mm: 0.4 / 0.010 = 40 times that.
-  const Scene scene = read(R"(
-species:
-  - {name: A, share: 3, radius: 0.001, mass: 0.010}
-  - {name: B, share: 1, radius: 0.002, mass: 0.001}
-density: 1.0
-)");
-  EXPECT_EQ(scene.definition.species[0].count, 120);
-  EXPECT_EQ(scene.definition.species[1].count, 40);
-}
-
-/// 3 kg of A to 1 kg of B: 3 / 0.01 to 1 / 0.001 disks, 3 to 10; S = 0.4 m, 46 mm for 13 disks.
-TEST(SceneReader, TurnsSharesByMassIntoSharesByNumber)
-{
-  const Scene scene = read(R"(
-species:
-  - {name: A, share: 3, share_by: mass, radius: 0.001, mass: 0.010}
-  - {name: B, share: 1, share_by: mass, radius: 0.002, mass: 0.001}
-density: 1.0
-)");
-  EXPECT_DOUBLE_EQ(scene.definition.species[0].share, 0.3);
-  EXPECT_EQ(scene.definition.species[1].share, 1.0);
-  EXPECT_EQ(scene.definition.species[0].count, 26);
-  EXPECT_EQ(scene.definition.species[1].count, 87);
+  struct
+  {
+    const char *a, *b;
+    std::vector<int> counts;
+    const char* density;
+  } const cases[] = {
+      // The mixture of Fig. 8: W = 0.4 m, diameters of 2 mm and 4 mm: 1.572 m / 6 mm = 262 of each.
+      {"", "", {262, 262}, "3.93"},
+      // S = 0.4 m; three A of 2 mm to one B of 4 mm: 0.4 / 0.010 = 40 times that.
+      {", share: 3", ", share: 1", {120, 40}, "1.0"},
+      // 3 kg of A to 1 kg of B: 3 / 0.01 to 1 / 0.001 disks, 3 to 10; S = 0.4 m, 46 mm for 13 disks.
+      {", share: 3, share_by: mass", ", share: 1, share_by: mass", {26, 87}, "1.0"},
+      // By the expected diameter: 4 * 0.4 m / 0.004 m.
+      {", size: {distribution: table, radii: [0.001, 0.003], weights: [0, 1]}", ", share: 0", {400, 0}, "4"}};
+  for (const auto& [a, b, counts, density] : cases)
+  {
+    const Scene scene =
+        read("species:\n  - {name: A, radius: 0.001, mass: 0.010" + std::string(a) +
+             "}\n  - {name: B, radius: 0.002, mass: 0.001" + b + "}\ndensity: " + density + "\n");
+    EXPECT_EQ(scene.definition.species[0].count, counts[0]) << a;
+    EXPECT_EQ(scene.definition.species[1].count, counts[1]) << b;
+    EXPECT_TRUE(scene.warnings.empty());
+  }
 }
 
 /// By the mean mass of a disk: for a uniform distribution of r (1 - s) to r (1 + s) m (1 + s^2).
@@ -173,16 +158,6 @@ TEST(SceneReader, TakesTheNumberOfTeethFromALength)
   EXPECT_EQ(rounded.warnings,
             std::vector<std::string>{
                 "base.length = 0.6 m is rounded to 27 teeth of 0.022 m: 0.594 m [rounded-length]"});
-}
-
-TEST(SceneReader, SplitsADensityByTheExpectedDiameters)
-{
-  const Scene scene = read(R"(
-species:
-  - {name: A, radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.003], weights: [0, 1]}}
-density: 4
-)");
-  EXPECT_EQ(scene.definition.species[0].count, 400);  // 4 * 0.4 m / 0.004 m
 }
 
 TEST(SceneReader, WarnsOfACountBesideADensity)

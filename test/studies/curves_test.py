@@ -46,6 +46,19 @@ class Curves(unittest.TestCase):
                     for seed, y in zip((1, 2), ys))
         self.assertEqual(best_of(rows, "x", "y").mean.value, 0.0)  # seed 1 chooses x = 1, where seed 2 has 0; and so on
 
+    def test_a_place_that_few_seeds_ran_is_not_chosen(self):
+        rows = rows_of(lambda x: x, 0.01, 6)
+        few = Rows(rows.frame[(rows.frame["x"] < 0.65) | (rows.frame["seed"] < 3.0)])
+        best = best_of(few, "x", "y")
+        self.assertAlmostEqual(best.at, 0.6)
+        self.assertEqual(best.mean.count, 6)
+
+    def test_the_error_of_a_crossing_contains_its_interpolation(self):
+        rows = Rows({"x": x, "seed": float(seed), "y": math.exp(-x) - 0.5} for x in (0.0, 0.5, 1.0, 2.0)
+                    for seed in range(1, 5))
+        found = crossing_of(rows, "x", "y")
+        self.assertGreater(found.error, abs(found.value - math.log(2.0)))
+
     def test_the_best_is_found(self):
         best = best_of(rows_of(lambda x: 1.0 - (x - 0.4) ** 2, 0.002), "x", "y")
         self.assertAlmostEqual(best.at, 0.4)

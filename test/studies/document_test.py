@@ -4,6 +4,7 @@ import pathlib
 import tempfile
 import unittest
 
+from ratchet_sieve.stats import Mean
 from ratchet_sieve.tables import read_rows
 import document
 import paper
@@ -45,11 +46,13 @@ class Documents(unittest.TestCase):
         study, rows = hand_made_study(), {"paper_fig5": hand_made_rows()}
         with tempfile.TemporaryDirectory() as directory:
             template, path = pathlib.Path(directory) / "template.md", pathlib.Path(directory) / "paper.md"
-            template.write_text("# Title\n\n$about\n\n$claims\n\n$study_made\n\n$appendix\n", encoding="utf-8")
+            template.write_text("# Title\n\n$about\n\n$claims\n\n$study_made\n\n$machines\n", encoding="utf-8")
+            template.with_name("checks.md").write_text("# Checks\n\n$checks\n", encoding="utf-8")
             outcome = Outcome(study, study.evaluate(rows), rows)
             other = dataclasses.replace(outcome, study=dataclasses.replace(study, name="other", claims=lambda _: []))
             document.write(path, template, [outcome, other], "scripts/reproduce")
             text = path.read_text(encoding="utf-8")
+            others = path.with_name("paper_checks.md").read_text(encoding="utf-8")
             figures = json.loads((path.parent / "data/paper.json").read_text(encoding="utf-8"))
             table = (path.parent / "data/paper_made.csv").read_text(encoding="utf-8")
         self.assertIn("| 1 | Fig. 0 | it goes right | **undecided** |", text)
@@ -59,8 +62,16 @@ class Documents(unittest.TestCase):
         self.assertEqual((figures["made.drift"], figures["claim.1.verdict"]), ("0.60 ± 0.10", "undecided"))
         self.assertEqual(table, "f\n20\n")
         self.assertIn("2 runs of 10 s, seeds 1 to 2, **1 failed** and left out.", text.replace("\n", " "))
-        self.assertIn("### Made by hand\n\nPicture: [A caption](images/paper_made.png). Numbers:", text)
+        self.assertIn("# Checks\n\n## Made by hand\n\nPicture: [A caption](images/paper_made.png). Numbers:", others)
+        self.assertIn("| fig5 | 20 | 0.1 to 0.9 | 20 | 6 | 1 | — | 0.6 | 0.1 | 0.4 | 0.05 | 2 | 12 to 50 | 12 | 6 |",
+                      text)
         self.assertIn("ratchet_sieve 0.1.0, physics version 1 (", text)
+
+    def test_the_words_of_a_verdict_are_bold(self):
+        checks = (above("⟨V_x⟩ holds", Mean(1.0, 0.1, 4)), above("", None).about("40 teeth"))
+        self.assertEqual(document.verdict(Claim("1", "", "", checks, "at 5 Hz")),
+                         "**holds**: ⟨V_x⟩ holds; **undecided**: 40 teeth at 5 Hz")
+        self.assertTrue(document.checks([Claim("1", "", "", checks)]).startswith("- Claim 1:\n"))
 
     def test_claims_stand_in_the_order_of_their_numbers(self):
         study = dataclasses.replace(hand_made_study(), claims=lambda _: [

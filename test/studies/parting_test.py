@@ -22,12 +22,11 @@ class Parting(unittest.TestCase):
         self.assertEqual(parting.class_of((None, sure(-0.1))), parting.UNTOLD)
 
 
-class Searches(unittest.TestCase):
-    def test_what_a_search_has_nowhere_is_undecided(self):
-        self.assertEqual(rapaport.claims({(0.6, 15.0, 1.0): (sure(0.1), sure(0.1))})[0].verdict(), "undecided")
-
-    def test_what_a_search_has_somewhere_is_possible(self):
-        self.assertEqual(rapaport.claims({(0.6, 15.0, 1.0): (sure(-0.1), sure(0.1))})[0].verdict(), "possible")
+class Fresh(unittest.TestCase):
+    def test_each_floor_has_a_verdict(self):
+        fresh = {0.05: (sure(-0.1), sure(0.1)), 0.01: (sure(0.0005), sure(0.1))}
+        self.assertEqual(rapaport.claims({"fresh": fresh})[0].verdict(),
+                         "holds: v_min = 0.05 m/s; undecided: v_min = 0.01 m/s")
 
 
 class OpenBase(unittest.TestCase):

@@ -61,7 +61,7 @@ std::string summaries()
     nlohmann::ordered_json summary = result->summary;
     // Not part of the physics: cost, program, derived values and texts.
     for (const char* key :
-         {"wall_time", "version", "plan", "accuracy", "steady", "steady_reason", "warnings"})
+         {"wall_time", "version", "plan", "accuracy", "steady", "steady_reason", "steady_needs", "warnings"})
       EXPECT_EQ(summary.erase(key), 1u) << key;
     text += summary.dump() + '\n';
   }

@@ -149,6 +149,9 @@ TEST_F(SweepFile, RefusesWhatIsNoSweep)
   expectRefusal(
       scene + "grid: {seed: [1]}",
       "sweep.yaml:2: grid: seeds are given by the sweep's own key, seed: {first: .., count: ..} or [..]");
+  expectRefusal(
+      scene + "cases: [{seed: 1}]\nseed: [2]",
+      "sweep.yaml:2: cases: seeds are given by the sweep's own key, seed: {first: .., count: ..} or [..]");
   expectRefusal(scene +
                     "grid: {density: {from: 1, to: 2, count: 1000000000}, gravity: {from: 1, to: 2, count: "
                     "1000000000}}",

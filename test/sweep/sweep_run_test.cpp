@@ -152,18 +152,6 @@ TEST_F(SweepRunTest, RunsOfAGrownSweepOnlyWhatIsNew)
   EXPECT_EQ(tableOf(results_), tableOf(directory_ / "at_once.db"));
 }
 
-TEST_F(SweepRunTest, DependsOnNoNumberOfThreads)
-{
-  const Sweep sweep = load("grid: {base.inclination: {from: -0.2, to: 0.2, count: 21}}\n");
-  SweepRunOptions options;
-  options.threads = 1;
-  runSweep(sweep, results_, options);
-  options.threads = 5;
-  runSweep(sweep, directory_ / "five.db", options);
-  EXPECT_EQ(tableOf(results_), tableOf(directory_ / "five.db"));
-  EXPECT_EQ(tableOf(results_).size(), 21u);
-}
-
 TEST_F(SweepRunTest, SharesCasesWithAnotherSweepThatHasOtherKeys)
 {
   runSweep(load("grid: {base.inclination: [0, 0.1]}\n"), results_, {});
@@ -185,6 +173,18 @@ TEST_F(SweepRunTest, CountsACaseThatIsListedTwiceOnce)
       runSweep(load("cases: [{gravity: 9}, {gravity: 9.0}, {base.phase: -0.0, gravity: 9}]\n"), results_, {});
   EXPECT_EQ(outcome.counts.cases, 1u);
   EXPECT_EQ(outcome.counts.done, 1u);
+}
+
+TEST_F(SweepRunTest, RunsEachCaseWithASeedOfItsOwn)
+{
+  const auto rows = [this](const std::string& cases)
+  {
+    runSweep(load(cases), results_, {});
+    return text("SELECT group_concat(seed || ' ' || run_hash, ', ') FROM (SELECT * FROM cases ORDER BY seed)");
+  };
+  const std::string listed = rows("cases: [{seed: 3}, {seed: 5}]\n");
+  EXPECT_EQ(listed.rfind("3 ", 0), 0u) << listed;
+  EXPECT_EQ(rows("seed: [3, 5]\n"), listed);
 }
 
 TEST_F(SweepRunTest, MakesAFailureARowAndGoesOn)

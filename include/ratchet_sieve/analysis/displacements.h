@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/recording/frames.h"
+#include "ratchet_sieve/statistics/block_averages.h"
 
 namespace ratchet_sieve
 {

@@ -12,6 +12,7 @@
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/state_archive.h"
+#include "ratchet_sieve/statistics/segregation.h"
 
 namespace ratchet_sieve
 {
@@ -106,6 +107,15 @@ constexpr const char* EXIT_NAMES[] = {"left", "right"};  ///< in the order of Ex
 inline const char* name(Exit side)
 {
   return EXIT_NAMES[static_cast<std::size_t>(side)];
+}
+
+RATCHET_SIEVE_FIELDS(SpeciesBins)
+{
+  RATCHET_SIEVE_FIELD(left, "");
+  RATCHET_SIEVE_FIELD(right, "");
+  RATCHET_SIEVE_FIELD(on_base, "");
+  RATCHET_SIEVE_FIELD(left_mass, "kg");
+  RATCHET_SIEVE_FIELD(right_mass, "kg");
 }
 
 /// A disk that has left the machine.

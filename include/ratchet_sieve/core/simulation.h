@@ -12,16 +12,16 @@
 
 #include <Eigen/Core>
 
-#include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/flow_series.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/results.h"
-#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/core/state_archive.h"
+#include "ratchet_sieve/statistics/block_averages.h"
+#include "ratchet_sieve/statistics/flow_series.h"
+#include "ratchet_sieve/statistics/segregation.h"
 
 namespace ratchet_sieve
 {

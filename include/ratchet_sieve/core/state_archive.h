@@ -81,8 +81,8 @@ private:
       value.archive(*this);
   }
 
-  template <typename Element>
-  void one(std::vector<Element>& list)
+  template <typename Element, typename Allocator>
+  void one(std::vector<Element, Allocator>& list)
   {
     // Every element takes at least one byte. So a corrupt size cannot request more memory than there are
     // bytes.

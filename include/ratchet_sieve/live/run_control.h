@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "ratchet_sieve/live/drives.h"
 #include "ratchet_sieve/live/journal.h"
+#include "ratchet_sieve/live/sensors.h"
 #include "ratchet_sieve/live/setpoint.h"
 #include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/recording/run.h"
@@ -30,6 +32,9 @@ struct RunParameters
   double window = BIN_WINDOW;  ///< ~window: over which ~bins counts what left lately [s]
 
   SlewRates slew_rates;  ///< ~limits/inclination/slew_rate and so on [unit/s]
+
+  DriveParameters drives;    ///< ~actuators
+  SensorParameters sensors;  ///< ~sensors
 };
 
 /// Records runs, one after the other; recording may be off.
@@ -73,6 +78,11 @@ public:
   /// Calls the observer with each disk that leaves, of this run and the later ones.
   void observeExits(ExitObserver observer);
 
+  using SensorObserver = std::function<void(const Sensor&, const Reading&)>;
+
+  /// Calls the observer with each reading when it is sent, of this run and the later ones.
+  void observeSensors(SensorObserver observer) { sensor_observer_ = std::move(observer); }
+
   /// Hands the first frames to the sinks.
   void begin();
 
@@ -90,8 +100,8 @@ public:
   void pause();
   void unpause();
 
-  /// Advances to a time, at most to the next frame or the end.
-  void advanceTo(double time) { run_->advanceTo(time); }
+  /// Advances to a time, at most to the next frame, move of a drive, reading, or the end.
+  void advanceTo(double time);
 
   /// Advances by `duration` [s] or to the end, in strides. Reaching the end early is a success, and the
   /// outcome mentions it. An aborted step is a failure; the time already simulated stays.
@@ -112,11 +122,18 @@ public:
 
   Outcome pour(const std::string& species, std::size_t count, const std::optional<Stretch>& between = {});
 
-  /// The commanded value of a quantity.
-  double commanded(Quantity quantity) const;
+  /// The setpoint that was asked for last.
+  double commanded(Quantity quantity) const { return drives_->asked(quantity); }
 
-  /// Commands the base at the present time. @pre Setpoint::refusal() of the value is nothing
+  /// Commands a drive at the present time. @pre Setpoint::refusal() of the value is nothing
   void command(Quantity quantity, double value);
+
+  /// Makes a sensor or a drive fail from now on, until a reset of the run.
+  /// @param part a quantity, or a sensor by its name in SENSOR_LIST
+  Outcome fault(const std::string& part, const std::string& fault);
+
+  /// Sets a scale to zero. @param name of SENSOR_LIST
+  Outcome tare(const std::string& name);
 
 private:
   std::optional<std::string> whyNoStep(double duration) const;
@@ -125,7 +142,11 @@ private:
   void announce(const Scene& scene) const;
   std::unique_ptr<Run> makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,
                                double start_time, double end_time);
-  void begin(std::unique_ptr<Run> run);
+  std::vector<CommandFrame> openingOf(const Drives& drives) const;
+  void watchExits(Run& run);
+  void begin(std::unique_ptr<Run> run, const Drives& drives);
+  void followDrives();
+  void readSensors();
 
   YAML::Node scene_;
   std::string source_;
@@ -135,8 +156,11 @@ private:
   PourObserver pour_observer_;
   std::vector<FrameSink*> sinks_;
   ExitObserver exit_observer_;
+  SensorObserver sensor_observer_;
   std::vector<std::string> scene_warnings_;
   std::unique_ptr<Run> run_;
+  std::optional<Drives> drives_;  ///< of the run
+  std::vector<Sensor> sensors_;   ///< of the run
   bool paused_;
 };
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "ratchet_sieve/analysis/run_analysis.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/frame_sink.h"
@@ -37,9 +39,9 @@ public:
   const RunAnalysis& analysis() const { return analysis_; }
 
   /// Writes the page, and commits its file. @param title such as the name of the scene's file
-  /// @param warnings of the run; those that follow from its scene are added
-  /// @throws AnalysisError if no scene was taken @throws OutputError
-  void write(AtomicFile&& file, const std::string& title, const std::vector<std::string>& warnings) const;
+  /// @param summary of the run: its warnings and steady state are shown, and the warnings that follow from
+  /// the scene; may be empty @throws AnalysisError if no scene was taken @throws OutputError
+  void write(AtomicFile&& file, const std::string& title, const nlohmann::ordered_json& summary = nlohmann::ordered_json::object()) const;
 
 private:
   void begin(const SceneFrame& frame);

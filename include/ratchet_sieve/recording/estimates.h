@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "ratchet_sieve/core/block_averages.h"
-#include "ratchet_sieve/core/segregation.h"
+#include "ratchet_sieve/statistics/block_averages.h"
+#include "ratchet_sieve/statistics/segregation.h"
 
 namespace ratchet_sieve
 {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ratchet_sieve/core/flow_series.h"
+#include "ratchet_sieve/statistics/flow_series.h"
 
 namespace ratchet_sieve
 {
@@ -16,7 +16,8 @@ struct Filling
   /// The number of blocks at the start of the series until it has; nothing if it has not, or if the series is
   /// too short to tell.
   std::optional<std::size_t> blocks;
-  std::string reason;  ///< why not, in one line; empty if it has
+  std::string reason;           ///< why not, in one line; empty if it has
+  std::optional<double> needs;  ///< the least length of a series that may tell [s]; nothing if not known
 };
 
 /// The machine has filled once all of these hold; at the latest at half of the series:

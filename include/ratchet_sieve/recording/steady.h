@@ -32,6 +32,7 @@ struct SteadyState
   double from = 0.0;                        ///< in the run's time [s]
   std::optional<PairSeparation> pair;       ///< of bestSeparation()
   std::optional<Estimate> separation;       ///< nothing before one disk of each of two species has left
+  std::optional<Estimate> separation_by_mass;
   Estimate inside;                          ///< mean number of disks in the machine
   std::optional<Estimate> throughput;       ///< disks that leave [1/s]; nothing if they are too correlated
   std::optional<Estimate> mass_throughput;  ///< [kg/s]
@@ -42,7 +43,8 @@ struct SteadyState
 struct Steadiness
 {
   std::optional<SteadyState> state;
-  std::string reason;  ///< in one line; empty if there is one
+  std::string reason;                ///< in one line; empty if there is one
+  std::optional<double> needs = {};  ///< of fillingOf()
 };
 
 /// Does not change the run. With the confidence level of its scene. See fillingOf().

@@ -90,7 +90,7 @@ struct CaseRecord
 {
   std::unique_ptr<FrameSink> sink;
   FrameRates rates;
-  std::function<void(const std::vector<std::string>& warnings)> keep;  ///< called once the case has ended
+  std::function<void(const nlohmann::ordered_json& summary)> keep;  ///< called once the case has ended
 };
 
 /// Opens the record of a case; called by the thread that runs it.

@@ -75,7 +75,7 @@ public:
   std::uint64_t sizeOfPart() const { return (size() + part.count - part.number) / part.count; }
   std::uint64_t seedCount() const { return seeds.count > 0 ? seeds.count : 1; }
 
-  /// All swept keys, in the order of the file.
+  /// All swept keys but `seed`, in the order of the file.
   std::vector<std::string> keys() const;
 
   /// The assignments of a setting, without `fixed`. @pre point < points()

@@ -10,6 +10,7 @@ from ..progress import Progress
 from ..scene import AnyScene
 from .answer import Answer
 from .final import answer_of
+from .grains import Grains
 from .machine import WITHIN, Machine
 from .search import Search
 
@@ -19,8 +20,8 @@ _UNITS = {"": 1.0, "s": 1.0, "min": 60.0, "h": 3600.0}
 
 
 def separate(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, within: Optional[float] = None,
-             budget: Union[float, str, None] = None, goal: Optional[str] = None, seed: int = 1,
-             results: Any = None, threads: int = 0, progress: bool = True) -> Answer:
+             budget: Union[float, str, None] = None, goal: Optional[str] = None, unknown: Any = None,
+             seed: int = 1, results: Any = None, threads: int = 0, progress: bool = True) -> Answer:
     """Which settings of a machine part its kinds best, how well, and how surely.
 
     scene     a Scene, the path of a scene file, or a mapping
@@ -31,6 +32,8 @@ def separate(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, within
               they have. The last 40 % of it are for the best with fresh seeds. None: as long as it takes
     goal      a column of a sweep's results (docs/sweeps.md) that is to be large, such as "purity.left.mass.A", in
               place of the separation; `within` is then required, in its units
+    unknown   key -> (low, high), or (value, "±", error at 95 %): of what is not known each run draws its own. The search
+              finds what is best on the mean. None: of Grains that calibrate() gave, what they leave unknown
     seed      of the search and of the runs: the same gives the same answer, where no budget ends it
     results   file that keeps the runs (SQLite): the same call continues. None: kept nowhere
     threads   0: one per processor
@@ -39,7 +42,9 @@ def separate(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, within
     of the budget give the answer so far, with a warning; before there is any, KeyboardInterrupt and ValueError. After
     Ctrl-C the best gets fresh seeds for 2 s, or a tenth of the time so far; a second one ends that.
     """
-    machine = Machine(scene, over, goal)
+    if unknown is None and isinstance(scene, Grains):
+        unknown = scene.unknown
+    machine = Machine(scene, over, goal, unknown)
     if within is None and goal is not None:
         raise ValueError(f"within: must be given, in the units of {goal}")
     within = number("within", WITHIN[machine.kind] if within is None else within)

@@ -2,6 +2,7 @@
 import argparse
 import functools
 import pathlib
+import re
 import sys
 import warnings
 
@@ -29,6 +30,9 @@ def make_parser():
     parser.add_argument("scene", metavar="SCENE", help="scene file (YAML)")
     parser.add_argument("--over", metavar="KEY=FROM:TO", action="append", required=True,
                         help="a key of the scene and its range; repeatable")
+    parser.add_argument("--unknown", metavar="KEY=LOW:HIGH", action="append", default=[],
+                        help="a key of the grains or of the machine that is not known, and where it may be; "
+                             "KEY=VALUE±ERROR: normal, the error at 95 %%; repeatable")
     parser.add_argument("--set", metavar="KEY=VALUE", action="append", default=[],
                         help="set a key of the scene; repeatable")
     parser.add_argument("--within", metavar="X", type=float,
@@ -50,21 +54,32 @@ def make_parser():
     return parser
 
 
-def read_over(texts):
+def read_over(texts, option="--over"):
     """@return map from keys to (from, to). Raises ValueError."""
     over = {}
     for text in texts:
         key, equals, span = text.partition("=")
         if key in over:
-            raise ValueError(f"--over {text}: {key} is there twice")
+            raise ValueError(f"{option} {text}: {key} is there twice")
         ends = span.split(":")
         try:
             over[key] = tuple(int(end) if end.strip("+-").isdigit() else float(end) for end in ends)
         except ValueError:
             ends = []
         if not equals or not key or len(ends) != 2:
-            raise ValueError(f"--over {text}: must be KEY=FROM:TO, such as base.inclination=0:0.35")
+            raise ValueError(f"{option} {text}: must be KEY=FROM:TO, such as base.inclination=0:0.35")
     return over
+
+
+def read_unknown(texts):
+    """@return as separate() takes it; None: all is known. Raises ValueError."""
+    normal = {text: re.fullmatch(r"([^=]+)=([^±:]+)(?:±|\+-)([^±:]+)", text) for text in texts}
+    try:
+        found = {match[1]: (float(match[2]), "±", float(match[3])) for match in normal.values() if match}
+    except ValueError as error:
+        raise ValueError(f"--unknown: must be KEY=VALUE±ERROR: {error}") from None
+    ranges = read_over([text for text, match in normal.items() if not match], "--unknown")
+    return {**found, **ranges} or None
 
 
 def require_outputs(options):
@@ -90,7 +105,7 @@ def run(options):
     options.db = options.db or pathlib.Path(pathlib.Path(options.scene).stem + ".separate.db")
     scene.require_other(*((f"--{name}", getattr(options, name)) for name in ("db", "html", "json", "plot", "best")))
     answer = rs.separate(scene, read_over(options.over), within=options.within, budget=options.budget,
-                         goal=options.goal, seed=options.seed, threads=options.threads,
+                         goal=options.goal, unknown=read_unknown(options.unknown), seed=options.seed, threads=options.threads,
                          results=options.db)
     print(f"sieve_separate: the runs are kept in {options.db}; the same command continues", file=sys.stderr)
     writers = [functools.partial(answer.write, path) for path in (options.html, options.json, options.plot) if path]

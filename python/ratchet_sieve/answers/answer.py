@@ -54,6 +54,9 @@ class Answer:
     purity, recovery  .left.number.A and so on; None in a closed machine
     floor       what changes with half of contact.min_rebound_speed: .from, .to [m/s], .change, .depends; None: not
                 checked
+    spread      (low, high) of the value for 95 % of what `unknown` leaves open; None: not told, or nothing is
+    depends_on  DataFrame: of each unknown `key` its `share` of that variance, with the standard `error`; None as above
+    known       without `unknown`: a line on what is taken as known, and on which two keys it depends most
     warnings    texts: what was cut short, a setting at the end of its range, warnings of the runs
     cost        runs, simulated [s], processor [s] and seconds [s of wall time], both of this call; `announced` before
                 the first run [s of wall time]
@@ -82,6 +85,10 @@ class Answer:
     inside: Optional[Interval] = None
     stages: Optional[Values] = None
     chain: Any = None
+    spread: Optional[tuple] = None
+    depends_on: Optional[pandas.DataFrame] = None
+    grains: Any = None
+    known: Optional[str] = None
 
     @property
     def scene(self) -> Any:
@@ -109,17 +116,18 @@ class Answer:
         unit = " m/s" if self.machine.kind == "closed" and self.machine.is_signed else ""
         goal = self.machine.goal
         if self.best is None:
-            lines = [f"not separated: |{goal}| < {at_most(self.bound)}{unit} at 95 % everywhere"
+            what = "not separated" if self.machine.is_signed else "no best setting, for 0 is not excluded"
+            lines = [f"{what}: |{goal}| < {at_most(self.bound)}{unit} at 95 % everywhere"
                      if self.bound < self.within else
-                     f"not separated: {goal} {self.separation}{unit} at the best setting, "
+                     f"{what}: {goal} {self.separation}{unit} at the best setting, "
                      f"below {at_most(self.bound)}{unit} at 95 % everywhere"]
         else:
             at = ", ".join(f"{key} = {_with_unit(key, value)}" for key, value in (self.best or {}).items())
             source = f"95 %, {counted(self.separation.count, 'run')} with fresh seeds" if self.separation.count else \
                 "no interval: of the search's own runs"
             lines = [f"{goal} {self.separation}{unit} ({source})" + self._way(), f"at {at}",
-                     f"as good: {self._region()}; the worst of them may lose "
-                     f"{at_most(self.as_good.may_lose.max())}{unit}"]
+                     f"as good: {self._region()}; {self._worst()}{unit}"]
+            lines += self.grains.lines(unit) if self.grains else []
             lines += self._products() if self.purity else []
         if self.best and self.throughput:
             per = self.throughput
@@ -133,6 +141,8 @@ class Answer:
             lines.append(f"product {product.stage} {product.side}: " + "; ".join(
                 f"{name} purity {product.purity.mass[name]} by mass, recovery {product.recovery.mass[name]}"
                 for name in self.machine.scene.species) + f"; {_grams(product.throughput)} g/s in one plane of disks")
+        if self.best and self.known:
+            lines.append(self.known)
         lines.append(f"cost: {counted(self.cost.runs, 'run')}, {self.cost.simulated:.4g} s simulated, "
                      f"{self.cost.processor:.3g} s of processor time")
         return lines + [f"warning: {text}" for text in self.warnings]
@@ -158,6 +168,12 @@ class Answer:
                              f"number (feed {feed.number[name]:.2g}); recovery {recovery[0]}"
                              + (f" by mass, {recovery[1]} by number" if recovery[1] != recovery[0] else ""))
         return lines
+
+    def _worst(self) -> str:
+        """What the worst of those that are as good may lose."""
+        most, value = self.as_good.may_lose.max(), abs(self.separation.value)
+        bounded = self.machine.is_signed or self.machine.share_goal
+        return "the worst of them may lose " + (f"all of the {value:.2g}" if bounded and most >= value else at_most(most))
 
     def _region(self) -> str:
         part = len(self.as_good) / max(len(self.map), 1)
@@ -192,9 +208,10 @@ class Answer:
     def as_json(self) -> dict:
         """As `sieve_separate --json` writes it; what is undefined is None."""
         names = ("best", "separation", "separated", "bound", "throughput", "feed", "purity", "recovery", "inside",
-                 "floor", "stages", "warnings", "cost")
+                 "floor", "stages", "spread", "known", "warnings", "cost")
         return {"goal": self.machine.goal, "within": self.within,
                 **{name: _plain(getattr(self, name)) for name in names},
+                "depends_on": None if self.depends_on is None else self.depends_on.to_dict("records"),
                 "as_good": json.loads(self.as_good.to_json(orient="records", double_precision=6))}
 
     def write(self, path: Any) -> None:

@@ -6,21 +6,24 @@ import pandas
 
 from ratchet_sieve import stats
 from ratchet_sieve.answers.answer import Answer, Interval
-from ratchet_sieve.answers.cost import announce, duration, idle_text, whys
+from ratchet_sieve.answers.cost import announce, duration, fills, idle_text, lift_off_text, whys
 from ratchet_sieve.answers.machine import LEAST_WORKING, flow_of
+from ratchet_sieve.answers.depends import PART, Dependence, known_text, screening
 from ratchet_sieve.answers.intervals import interval_of, products_of
-from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
+from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z, usual_length
 from ratchet_sieve.texts import at_most, counted
 from ratchet_sieve.values import Values
 
 FRESH = 12          # runs of the best setting; then half as many at a time
 MOST_FRESH = 192
-LONG_ENOUGH = 20.0  # mean times in the machine that such a run of a fed machine lasts at least
+LONG_ENOUGH = 12.0  # mean times in the machine that such a run of a fed machine lasts at least
 EXPECTED = 2.4      # half the width of the interval that is aimed at, in standard errors
 MOST_DOUBLINGS = 4  # of the first runs of a fed machine that have not settled
+PER_KEY = 8         # fresh runs for each unknown key, at least
 FEWER_FRESH = (FRESH, 8, 6, 4)  # of them, as the budget has it
 AFFORDABLE = 0.9    # of what is left of the budget: the runs differ in cost
 LEAST_PART = 0.1    # of the shortest run
+MOST_FILLING = 0.1  # of the fresh runs: where more fill up the machine is metastable at best
 AFTER_INTERRUPT, OF_INTERRUPTED = 2.0, 0.1  # for fresh runs after an interrupt: [s], and of the time so far
 INTERRUPTED = "interrupted: the answer so far; the same call with the same results continues"
 EDGE = 0.02         # of a range: nearer to its end than this is at its edge
@@ -31,8 +34,9 @@ def answer_of(search, budget, bar):
     """Searches, measures the best setting with fresh seeds, and puts the answer together.
     @param budget a Budget. @param bar a Progress
     @throws RuntimeError the machine works nowhere. @throws ValueError the budget ends before there is an answer"""
-    clocks, notes, fresh, floor = (time.monotonic(), time.process_time()), [], Fresh(), None
+    clocks, notes, fresh, floor, known = (time.monotonic(), time.process_time()), [], Fresh(), None, None
     lines, announced = announce(search, budget.seconds, FRESH, search.within / EXPECTED)
+    bar.announced = announced if budget.seconds is None else min(announced, budget.seconds)
     for line in lines:
         bar.say(line)
     notes += idle_text(search)
@@ -49,6 +53,7 @@ def answer_of(search, budget, bar):
         search.assess(best=search.best)  # with the fresh runs as well
         if len(fresh.rows) and not search.is_late():
             floor = _floor(search, fresh.rows)
+            known = _known(search, fresh.rows)
     except KeyboardInterrupt:
         late = False
         notes.append(INTERRUPTED)
@@ -57,7 +62,9 @@ def answer_of(search, budget, bar):
     if left > search.within and not search.nowhere() and INTERRUPTED not in notes:
         notes.append(f"the {'budget' if late else 'limit of runs'} ended the search: another setting "
                      f"may be better by {at_most(left)}")
-    return _answer(search, fresh.working(search.machine, notes), notes, floor, clocks, announced)
+    answer = _answer(search, fresh.working(search.machine, notes), notes, floor, clocks, announced)
+    answer.known = known
+    return answer
 
 
 def _interrupted(search, bar, fresh, begin):
@@ -90,6 +97,9 @@ class Fresh:
         works = seen["value"].notna()
         if not works.all():
             notes.append(f"of {counted(len(works), 'fresh run')} some are left out: {whys(seen)}")
+        if fills(seen):
+            notes.append("it may not stay as it is: about once in "
+                         f"{duration(self.rows['simulated_time'].sum() / fills(seen))} of work it fills up")
         return self.rows[works] if works.sum() > 1 else None
 
 
@@ -120,6 +130,8 @@ def _first_runs(search, bar):
             search.measure(first[k:k + BATCH], units[k:k + BATCH])
             if search.is_late():
                 break
+            if doublings == 0:  # the others need not begin with runs that are too short
+                units = np.maximum(units, usual_length(search.machine, search.runs))
         doublings += 1
         first, units = search.unsettled() if len(search.runs) else (first, units)
 
@@ -134,7 +146,8 @@ def _fresh_runs(search, bar, fresh, notes):
     """Runs of the best setting until the interval of their mean is as narrow as `within`.
     @param fresh gets the runs. @return False where the machine does not work there, as a rule"""
     machine = search.machine
-    runs, length = FRESH, search.final_duration(FRESH, search.within / EXPECTED, LONG_ENOUGH)
+    runs = max(FRESH, PER_KEY * len(machine.unknown.keys)) if machine.unknown else FRESH
+    length = search.final_duration(runs, search.within / EXPECTED, LONG_ENOUGH)
     if search.deadline is not None:
         runs, length = _affordable(search, length)
     fresh.rows, longer = pandas.DataFrame(), False
@@ -143,7 +156,8 @@ def _fresh_runs(search, bar, fresh, notes):
         rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(runs, length)], ignore_index=True)
         seen = machine.observed(rows) if len(rows) else None
         works = 0 if seen is None else seen["value"].notna().sum()
-        if seen is not None and not search.is_late() and works < max(LEAST_WORKING * len(rows), 2):
+        if seen is not None and not search.is_late() and (works < max(LEAST_WORKING * len(rows), 2) or
+                                                          fills(seen) > max(MOST_FILLING * len(rows), 1)):
             fresh.rows = pandas.DataFrame()
             if seen["open"].any() and not longer:
                 length, longer = 2.0 * length, True
@@ -196,6 +210,7 @@ def _answer(search, fresh, notes, floor, clocks, announced):
     best = separated or not known and not search.nowhere()
     if best:
         notes += _edges(machine, settings)
+        notes += lift_off_text(machine, search.grid[search.best])
     rows, surface = search.runs, _map(search)
     if fresh is not None:  # each of its warnings once
         notes += dict.fromkeys(filter(None, "\n".join(map(str, fresh["warning_text"].dropna())).splitlines()))
@@ -204,7 +219,38 @@ def _answer(search, fresh, notes, floor, clocks, announced):
     return Answer(machine=machine, best=settings if best else None, separation=found, separated=separated,
                   bound=search.bound, within=search.within, as_good=_as_good(search, surface, best), map=surface,
                   runs=rows, seen=machine.observed(rows), cost=cost, floor=floor, warnings=notes,
-                  **products_of(machine, fresh))
+                  **products_of(machine, fresh), **_depends_on(machine, fresh))
+
+
+def _depends_on(machine, fresh):
+    """How much of what is unknown the fresh runs tell."""
+    if machine.unknown is None or fresh is None:
+        return {}
+    found = Dependence(machine.unknown, fresh[machine.unknown.keys].to_numpy(float),
+                       machine.observed(fresh)["value"].to_numpy())
+    return {"depends_on": found.table, "spread": found.spread, "grains": found}
+
+
+def _known(search, fresh):
+    """The line that says which coefficients are taken as known, and on which two it depends most. None: it is not so,
+    or its runs would cost more than they may."""
+    machine = search.machine
+    unknown = screening(machine.scene) if machine.unknown is None and not search.nowhere() else None
+    if unknown is None:
+        return None
+    mean = fresh["simulated_time"].mean()
+    length = PART * search.runs["events"].sum() * fresh["simulated_time"].sum() / fresh["events"].sum() \
+        / len(unknown.table)
+    if machine.kind == "fed":
+        length = min(length, mean)
+    if length < (machine.shortest if machine.kind == "fed" else mean):
+        return None
+    rows = search.screened(unknown, length)
+    # Over a whole run, which short ones have as well.
+    values, known = (machine.observed(of)["value"] if machine.goal != "separation" else of["separation"]
+                     for of in (rows, fresh))
+    return known_text(unknown, values.to_numpy(), float(known.var()) * mean / length) \
+        if len(rows) == len(unknown.table) else None
 
 
 def _floor(search, fresh):

@@ -17,8 +17,8 @@ import numpy as np
 import pandas
 
 from ratchet_sieve import stats
-from ratchet_sieve.answers.cost import cost_text
-from ratchet_sieve.answers.machine import LEAST_WORKING, LONGEST, Machine, flow_of
+from ratchet_sieve.answers.cost import cost_text, short_runs
+from ratchet_sieve.answers.machine import LEAST_WORKING, Machine, flow_of
 from ratchet_sieve.answers.search import BATCH, SEEDS, seed_of
 from ratchet_sieve.arguments import integer
 from ratchet_sieve.progress import Progress
@@ -108,9 +108,11 @@ def front(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, trials: i
     seed, begin = seed_of(seed), [machine.place(settings) for settings in start]
     with Progress(progress, "front") as bar:
         study = _study(machine, storage, begin, seed)
-        simulated = machine.shortest * (TRIED * trials + 2 * AGAIN * RUNS * PROMISING)
-        places = np.array([[0.25], [0.75]]) * np.ones(len(machine.keys))
-        bar.say(cost_text(machine, places, seed, simulated, threads or os.cpu_count())[0])
+        places, threads = np.array([[0.25], [0.75]]) * np.ones(len(machine.keys)), threads or os.cpu_count()
+        length, second = short_runs(machine, places, seed, threads)
+        simulated = length * (TRIED * trials + 2 * AGAIN * RUNS * PROMISING)
+        line, bar.announced = cost_text(machine, length, second * simulated, threads)
+        bar.say(line)
         tried = _tried(machine, study, trials, seed, options, bar)
         promising = _promising(machine, tried)
         if promising.empty:
@@ -212,9 +214,9 @@ def _seen(machine, places, duration, seeds, options, show=lambda done: None):
                            progress=lambda done, failed, count: show(f"{done + failed} of {count}"))
         for k, part in zip(left, np.split(rows, len(left))):
             parts[k] = part
-        left = np.array([k for k in left if lengths[k] < LONGEST and machine.observed(parts[k])["open"].any()],
-                        dtype=int)
-        lengths[left] = np.minimum(2.0 * lengths[left], LONGEST)
+        longer = [machine.longer(parts[k], machine.observed(parts[k]))[0] for k in left]
+        lengths[left] = [max(units[np.isfinite(units)], default=np.inf) for units in longer]
+        left = left[np.isfinite(lengths[left])]
     rows = pandas.concat(parts, ignore_index=True)
     seen = machine.observed(rows)
     found = once.loc[once.index.repeat(seeds[1])].reset_index(drop=True).assign(

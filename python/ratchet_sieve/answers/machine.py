@@ -6,6 +6,7 @@ import numpy as np
 import pandas
 
 from ratchet_sieve import sweeps
+from ratchet_sieve.answers.unknown import prior_of
 from ratchet_sieve.arguments import mapping, number, path_of
 from ratchet_sieve.errors import SceneError, SieveWarning
 from ratchet_sieve.goals import LEFT, LEFT_MASS, RIGHT, RIGHT_MASS, Goal
@@ -15,7 +16,10 @@ from ratchet_sieve.tables import writing
 FED = 400              # disks that the shortest run of a fed machine is given
 PERIODS = 40.0         # of the drive, in which a choked one is found to be so
 RESIDENCES = 10.0      # mean times in the machine that a run of a fed machine lasts, once they are known
-LONGEST = 16.0         # such a run over the shortest one
+LEAST_RESIDENCES = 6.6  # a shorter one does not settle
+LONGEST = 40.0         # such a run over the shortest one
+GROWTH = 4.0           # a run that has not settled is run again longer by so much at most
+MARGIN = 1.1           # of such a run's length, over what the run before it says is needed
 FEWEST = 5             # disks of each species that must have left a poured machine
 LEAST_WORKING = 0.8    # of the runs that judge a setting, which must say something
 LEAST_PROCESSED = 0.5  # P of a poured machine that works
@@ -23,9 +27,8 @@ NOT_VARIED = ("seed", "duration", "settle")
 NO_GOALS = ("seed", "wall_time", "events", "simulated_time", "physics")
 SIDES = ("left", "right")
 # Why a run says nothing.
-CHOKED, EMPTY, NOT_EMPTIED, FEW = "choked", "a bin stayed empty", "not emptied by half", "too few of its disks left"
+FILLING, CHOKED, EMPTY, NOT_EMPTIED, FEW = "still filling", "choked", "a bin stayed empty", "not emptied by half", "too few of its disks left"
 CUT = "cut by the budget"
-NEEDED = r"but (\S+) s are needed"  # in a run's steady_reason
 NO_DRIFT, FAILED = "too short to tell a mean velocity", "failed"
 STEPS = 1000           # of a range at least, to which settings are rounded
 WITHIN = {"fed": 0.02, "poured": 0.02, "closed": 0.001}  # closed: [m/s]
@@ -40,14 +43,21 @@ class Machine:
     one is judged after its duration, and so is a closed one.
     """
 
-    def __init__(self, scene, over, goal=None):
-        """Raises ValueError, SceneError."""
+    def __init__(self, scene, over, goal=None, unknown=None):
+        """@param unknown of which each run draws its own: as Prior takes it, or an Unknown. Raises ValueError,
+        SceneError."""
         self.scene = scene_of(scene)
+        self.unknown = prior_of(self.scene, unknown)
+        if self.unknown:
+            self.scene = self._changed(self.unknown.middle)
         self.keys = list(mapping("over", over, '{"base.inclination": (0.0, 0.35)}'))
         if not self.keys:
             raise ValueError('over: must name a range, such as {"base.inclination": (0.0, 0.35)}')
-        ranges = [_range(key, over[key]) for key in self.keys]
+        ranges = [range_of(key, over[key]) for key in self.keys]
         self._require_numbers()
+        for key in self.unknown.keys if self.unknown else ():
+            if key in self.keys:
+                raise ValueError(f"over[{key!r}]: is unknown as well")
         if dict(zip(self.keys, ranges)).get("feed.rate", (1.0,))[0] <= 0.0:
             raise ValueError("over['feed.rate']: must begin above 0")
         self.low, self.high = np.array(ranges, dtype=float).T
@@ -156,12 +166,13 @@ class Machine:
             warnings.simplefilter("ignore", SieveWarning)
             return self.scene.replace(values)
 
-    def throws(self, place):
-        """Whether the base throws its disks up there: its drive's peak acceleration downwards is gravity at least."""
-        return bool(self._changed(self.settings(place))._engine.throws)
+    def lift(self, place):
+        """The base's peak acceleration downwards over gravity: below 1 it throws no disk up."""
+        return float(self._changed(self.settings(place))._engine.lift)
 
-    def run(self, places, durations, seeds, observe=(), changes=None, **options):
+    def run(self, places, durations, seeds, observe=(), changes=None, unknown=None, **options):
         """Runs the machine at some places: each for its duration, which only a fed one takes.
+        @param unknown an Unknown in place of the machine's own
         @param seeds (first, count) @param changes of keys of the scene @param options of sweep()
         @return a row for each run, the seeds of a place together; with a budget the index counts them, for some may be
         missing"""
@@ -172,6 +183,9 @@ class Machine:
             ends["observe"] = sorted({*self.scene.values.get("observe", ()), *observe})
         cases = [{**self.settings(place), **({"duration": round(float(duration), 3)} if self.kind == "fed" else {})}
                  for place, duration in zip(places, durations)]
+        if unknown := unknown or self.unknown:
+            own = range(seeds[0], seeds[0] + seeds[1])
+            cases, seeds = [of for k, case in enumerate(cases) for of in unknown.cases_of(case, own, k)], None
         rows = sweeps.sweep(self._changed(ends), cases=cases, seeds=seeds, **{"progress": False, **options})
         return rows[(rows["status"] != "cut") | (rows["simulated_time"] > 0.0)] if len(rows) else rows
 
@@ -193,6 +207,20 @@ class Machine:
         seen.loc[_column(rows, "status") == "failed", "why"] = FAILED
         seen.loc[seen["why"] != "", ["value", "variance"]] = np.nan
         return seen
+
+    def longer(self, rows, seen):
+        """How long a run must be that may say more than each one has, over the shortest; infinite where none may: it
+        says all, or it is to be too long by what a run of a quarter of the longest shows.
+        @return that, and how long it is to become at last"""
+        if self.kind != "fed":
+            units = np.where(seen["open"], 1.0, np.inf)
+            return units, units
+        last, needed = (values.to_numpy() / self.shortest for values in (rows["duration"], MARGIN * seen["needs"]))
+        units = np.minimum(np.fmax(2.0 * last, np.minimum(needed, GROWTH * last)), LONGEST)
+        too_long = (last >= (1.0 - 1e-9) * LONGEST) | (last >= (1.0 - 1e-9) * LONGEST / GROWTH) & (needed > LONGEST)
+        units = np.where(seen["why"] == CUT, last, np.where(too_long, np.inf, units))
+        units = np.where(seen["open"], units, np.inf)
+        return units, np.fmax(units, np.minimum(needed, LONGEST))
 
     def _observed_closed(self, rows, seen):
         seen["variance"] = 1.0
@@ -217,7 +245,7 @@ class Machine:
         self._count(self.bins(rows), rows["simulated_time"] - _column(rows, "steady.from").fillna(0.0), seen)
         reason = _column(rows, "steady_reason").fillna("").astype(str)
         why = reason.str.partition(":")[0]
-        seen["needs"] = reason.str.extract(NEEDED, expand=False).astype(float)
+        seen["needs"] = _column(rows, "steady_needs").astype(float)
         planned = rows["duration"] if "duration" in rows else rows["simulated_time"]
         why[(rows["simulated_time"] < (1.0 - 1e-9) * planned) & (_column(rows, "status") != "cut")] = CHOKED
         seen["why"] = why
@@ -252,8 +280,8 @@ class Machine:
 def steady_column(goal):
     """The column of a goal's steady value; of one that has none that of all the run."""
     parts = goal.split(".", 3)
-    name = {"separation": "steady.separation.value", "quality": "steady.quality.value",
-            "throughput": "steady.throughput.number.value"}.get(goal)
+    name = {"separation": "steady.separation.value", "separation_by_mass": "steady.separation_by_mass.value",
+            "quality": "steady.quality.value", "throughput": "steady.throughput.number.value"}.get(goal)
     if parts[0] in ("purity", "recovery") and len(parts) == 4:
         name = "steady.{}.{}.{}.value.{}".format(*parts)
     return name or goal
@@ -278,7 +306,7 @@ def _column(rows, name):
     return rows[name] if name in rows else pandas.Series(np.nan, index=rows.index)
 
 
-def _range(key, ends):
+def range_of(key, ends):
     """@return (from, to). Raises ValueError."""
     try:
         low, high = ends

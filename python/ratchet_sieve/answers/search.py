@@ -12,7 +12,8 @@ import time
 import numpy as np
 import pandas
 
-from ratchet_sieve.answers.machine import CUT, LONGEST, RESIDENCES
+from ratchet_sieve.answers.machine import CUT, LEAST_RESIDENCES, LONGEST, RESIDENCES
+from ratchet_sieve.answers.places import spread
 from ratchet_sieve.answers.surface import Surface
 from ratchet_sieve.arguments import integer
 
@@ -28,12 +29,12 @@ COSTLIEST = 200.0  # events that a simulated second may take, over the median of
 SHAPE = ("base.teeth", "base.tooth", "base.asymmetry", "base.length", "base.phase")  # does not decide what is thrown
 RATES = 20.0      # scale of the logarithm of that: of its surface over the ranges
 RATES_VARIANCE = 0.1  # of what one run says of it
-OPEN_COST = 100.0  # of a run where the machine has not settled, over the median of the first runs
-MARGIN = 1.1      # of such a run's length, over what the run before it says is needed
+OPEN_COST = 10.0  # of a run where the machine has not settled, over the upper quartile of the first runs
 LONG_COST = 50.0  # of a run that is longer than the shortest, over the median of the first runs
 SEEDS = 1_000_000  # of the scenes between two seeds of the search; the second half of them is for fresh runs
 MOST_SEED = 10 ** 12
 UNKNOWN_ERRORS = 3.0  # standard deviation of the logarithm of their variance, for a goal of the user's
+LIFT_OFF = 1.1    # peak acceleration, over gravity, below which a machine that works may fill up after minutes
 SINGLE = 1.0      # variance of the separation, times the disks that have left
 
 
@@ -52,8 +53,11 @@ class Search:
         self.runs = pandas.DataFrame()
         self._places = np.empty((0, len(machine.keys)))
         self._all = _different(machine, _grid(len(machine.keys)))
-        thrown = _thrown(machine, self._all)
-        self.grid, self.idle = (self._all[thrown], self._all[~thrown]) if thrown.any() else (self._all, self._all[:0])
+        lifts = _lifts(machine, self._all)
+        thrown = (lifts >= 1.0) | (lifts < 1.0).all()
+        self.grid, self.idle = self._all[thrown], self._all[~thrown]
+        # Near lift-off a setting must be better by `within` to be the best.
+        self._handicap = within * ((lifts[thrown] < LIFT_OFF) & (machine.kind == "fed"))
         self._surface = None
         self._costs = Surface(len(machine.keys), RATES)
         self.rounds = 0
@@ -78,9 +82,9 @@ class Search:
                 steps = np.linspace(0, len(self.grid) - 1, count).round().astype(int)
                 self._first = np.array(list(dict.fromkeys(steps[k] for k in _halving(count))))
             else:
-                spread = (self._nearest(place) for place in _spread(ranges, 8 * count, self.seed)
+                places = (self._nearest(place) for place in spread(ranges, 8 * count, self.seed)
                           if not len(self.idle) or _distance(self.grid, place) <= _distance(self.idle, place))
-                self._first = np.array(list(dict.fromkeys(itertools.islice(spread, count))))
+                self._first = np.array(list(dict.fromkeys(itertools.islice(places, count))))
         return self._first
 
     def measure(self, chosen, durations):
@@ -96,8 +100,8 @@ class Search:
                       (self.seed + 100 * self.rounds + k, 1))
 
     def unsettled(self):
-        """@return numbers of the places whose last run was too short to say anything, and twice its duration, in units
-        of the shortest; none where most of the others do say something"""
+        """@return numbers of the places whose last run was too short to say anything, and how long the next one is to
+        be, over the shortest; none where most of the others do say something"""
         seen = self.machine.observed(self.runs)
         last = dict(zip(map(self._nearest, self._places), self._longer(seen)))
         open_ = [k for k, units in last.items() if np.isfinite(units)]
@@ -106,17 +110,10 @@ class Search:
         return np.array(open_), [last[k] for k in open_]
 
     def _longer(self, seen):
-        """How long a run must be that may say more than each one has, in units of the shortest; infinite: too long, or
-        too costly, or it says all."""
-        if "duration" not in self.runs:
-            return np.where(seen["open"], 1.0, np.inf)
-        last = self.runs["duration"].to_numpy() / self.machine.shortest
-        needed = seen["needs"].to_numpy() / self.machine.shortest
-        units = np.fmax(np.minimum(2.0 * last, LONGEST), MARGIN * needed)
-        units = np.where(seen["why"] == CUT, last, np.where(last < (1.0 - 1e-9) * LONGEST, units, np.inf))
-        rate = seen["rate"].to_numpy()
-        fits = (units <= (1.0 + 1e-9) * LONGEST) & (units * rate <= OPEN_COST * np.median(rate[:len(self.first())]))
-        return np.where(seen["open"] & (fits | (seen["why"] == CUT)), units, np.inf)
+        """Machine.longer() of each run; infinite as well where that is too costly."""
+        (units, at_last), rate = self.machine.longer(self.runs, seen), seen["rate"].to_numpy()
+        fits = at_last * rate <= OPEN_COST * np.quantile(rate[:len(self.first())], 0.75)
+        return np.where(fits | (seen["why"] == CUT), units, np.inf)
 
     def _run(self, places, durations, seeds, *others):
         budget = None if self.deadline is None else max(self.deadline - time.monotonic(), 0.0)
@@ -143,6 +140,12 @@ class Search:
         """Runs of the best place with other values of keys, as long as the fresh ones. @return their rows"""
         duration = fresh["duration"].iloc[0] if "duration" in fresh else self.machine.shortest
         return self._run(self.grid[self.best][None], [duration], (self.seed + SEEDS // 2, runs), (), changes)
+
+    def screened(self, unknown, duration):
+        """Runs of the best place, one with each row of what is taken as unknown. @return their rows"""
+        count = len(unknown.table)
+        first = -(-(self.seed + 3 * SEEDS // 4) // count) * count  # a multiple: each row once
+        return self._run(self.grid[self.best][None], [duration], (first, count), (), None, unknown)
 
     def assess(self, best=None):
         """Fits the surface. @param best the place that others are compared with; None: the highest
@@ -179,17 +182,22 @@ class Search:
         if self._surface is None:
             is_share = self.has_errors and self.machine.kind != "closed"
             self._surface = Surface(self.grid.shape[1], 1.0 if is_share else 10.0 * values.std() or 1.0,
-                                    **({} if self.has_errors else {"error_spread": UNKNOWN_ERRORS}))
+                                    **({} if self.has_errors and not self.machine.unknown else
+                                       {"error_spread": UNKNOWN_ERRORS}))
         self._known = places, (1.0 if self.has_errors else values.var()) / total
         self._surface.fit(places, values, self._known[1])
         self.value, variance, half = self._surface.at(self.grid)
         self.error = np.sqrt(variance)
-        height = np.where(self.works, np.abs(self.value) if self.machine.is_signed else self.value, -np.inf)
+        height = np.abs(self.value) if self.machine.is_signed else self.value
+        height = np.where(self.works, height - self._handicap, -np.inf)
         self.best = int(height.argmax()) if best is None else best
         self.may = self._may(self._surface, variance, half)
         up = np.copysign(1.0, self.value[self.best]) if self.machine.is_signed else 1.0
-        # By how much the best may be better than each.
-        self.loss = np.maximum(self.may - 2.0 * up * (self.value - self.value[self.best]), 0.0)
+        # By how much the best may be better than each: by no more than all of it, where that is not below 0.
+        whole = abs(self.value[self.best]) + Z * self.error[self.best]
+        loss = self.may - 2.0 * up * (self.value - self.value[self.best])
+        self.loss = np.clip(loss + self._handicap - self._handicap[self.best], 0.0,
+                            whole if self.machine.is_signed or self.machine.share_goal else np.inf)
         self.bound = float((np.abs(self.value) + ANYWHERE * self.error)[self.works].max())
         return True
 
@@ -207,7 +215,7 @@ class Search:
         return np.exp(value + np.sqrt(variance))
 
     def _may(self, surface, variance, half):
-        """By how much each place may be better than the best, at 95 % of all places together."""
+        """By how much each place may be better than the best, at 95 % of all places together, less its handicap."""
         covariance, k = surface.covariance_with(self.grid, half, self.best), self.best
         up = 1.0 if self.value[k] >= 0.0 or not self.machine.is_signed else -1.0
         spread = variance + variance[k]
@@ -215,7 +223,7 @@ class Search:
         if self.machine.is_signed:  # the kinds may part the other way round
             other = -up * (self.value + self.value[k]) + ANYWHERE * np.sqrt(np.maximum(spread + 2.0 * covariance, 0.0))
             may = np.maximum(may, other)
-        return np.where(self.works, may, -np.inf)
+        return np.where(self.works, may - self._handicap + self._handicap[k], -np.inf)
 
     def nowhere(self):
         """Whether the value is surely small everywhere."""
@@ -235,7 +243,8 @@ class Search:
         """The duration of a run at each place, over the shortest one."""
         if self.machine.kind != "fed":
             return np.ones(len(self.grid))
-        wanted = np.minimum(RESIDENCES * self._residence / self.machine.shortest, LONG_COST * self._usual / self._rate)
+        stay = self._residence / self.machine.shortest
+        wanted = np.clip(LONG_COST * self._usual / self._rate, LEAST_RESIDENCES * stay, RESIDENCES * stay)
         return np.clip(np.maximum(wanted, self._waits), 1.0, LONGEST)
 
     def _challengers(self, units):
@@ -308,6 +317,14 @@ class Search:
         return self.deadline is not None and time.monotonic() > self.deadline
 
 
+def usual_length(machine, rows):
+    """How long a run must be in the middle of some of a fed machine, over the shortest."""
+    if machine.kind != "fed" or not len(rows):
+        return 1.0
+    units = machine.longer(rows, machine.observed(rows))[0]
+    return max(float(np.median(np.where(np.isfinite(units), units, rows["duration"] / machine.shortest))), 1.0)
+
+
 def seed_of(seed):
     """The first seed of a search's scenes. Raises ValueError."""
     if integer("seed", seed) > MOST_SEED:
@@ -321,13 +338,13 @@ def _different(machine, places):
     return places[sorted({setting: k for k, setting in reversed(list(enumerate(settings)))}.values())]
 
 
-def _thrown(machine, places):
-    """Of each place, whether the base throws disks up there."""
+def _lifts(machine, places):
+    """Machine.lift() of each place."""
     shape = SHAPE + (("base.inclination",) if machine.scene.values["base"].get("drive_frame") != "base" else ())
     decide = [k for k, key in enumerate(machine.keys)
               if key == "gravity" or key.startswith("base.") and not key.startswith(shape)]
     _, one, group = np.unique(places[:, decide], axis=0, return_index=True, return_inverse=True)
-    return np.array([machine.throws(places[k]) for k in one])[group.ravel()]
+    return np.array([machine.lift(places[k]) for k in one])[group.ravel()]
 
 
 def _distance(places, place):
@@ -349,14 +366,4 @@ def _grid(ranges):
     if ranges in GRID:
         axes = np.meshgrid(*[np.linspace(0.0, 1.0, GRID[ranges])] * ranges, indexing="ij")
         return np.stack(axes, axis=-1).reshape(-1, ranges)
-    return _spread(ranges, CANDIDATES, 0)
-
-
-def _spread(ranges, count, seed):
-    """Places that fill the ranges evenly: a Kronecker sequence of the generalised golden ratio (Schretter et al., Math.
-    Comput. Simul. 82, 2012), from a random one on."""
-    ratio = 2.0
-    for _ in range(60):
-        ratio = (1.0 + ratio) ** (1.0 / (ranges + 1.0))
-    steps = ratio ** -np.arange(1.0, ranges + 1.0)
-    return (np.random.default_rng(seed).random(ranges) + np.arange(count)[:, None] * steps) % 1.0
+    return spread(ranges, CANDIDATES, 0)

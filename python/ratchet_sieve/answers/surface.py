@@ -64,6 +64,11 @@ class Surface:
         """By what the errors' variance exceeds what was stated."""
         return float(np.exp(self._parameters[-1]))
 
+    @property
+    def stated(self):
+        """The median of the errors' stated variances."""
+        return float(np.median(self._variances)) * self._scale ** 2
+
     def _covariance(self, a, b, parameters=None):
         parameters = self._parameters if parameters is None else parameters
         lengths = np.exp(parameters[1:-1])

@@ -69,7 +69,8 @@ class SieveVectorEnv(VectorEnv):
         self._threads = integer("threads", threads)
         self._generators = [generator(None) for _ in range(self.num_envs)]
         self._simulations: list[Optional[Simulation]] = [None] * self.num_envs
-        self._readings = Readings(self.task.scene.species, self.num_envs, self.task.cells, self.task.window_steps)
+        self._readings = Readings(self.task.scene.species, self.num_envs, self.task.cells, self.task.window_steps,
+                                  self.task.sensed)
         # Of each sieve in its episode: steps, whether it is fed, whether no disk is left and none will come, the seed,
         # the text of a collapse. Whether the episode has ended; None before the first reset.
         self._steps = np.zeros(self.num_envs, dtype=np.int64)
@@ -153,6 +154,8 @@ class SieveVectorEnv(VectorEnv):
         simulations = [Simulation(scene) for scene in scenes]
         for k, simulation in zip(which, simulations):
             simulation.set_slew_rates(**self.task.actions.slew_rates)
+            if self.task.sensors:
+                simulation._engine.sense(self.task.sensors)
             self._simulations[k] = simulation
         self._collapses[which] = None
         self._fed[which] = [scene["feed.rate"] > 0.0 or bool(scene.values["feed"].get("disks")) for scene in scenes]
@@ -210,6 +213,11 @@ class SieveVectorEnv(VectorEnv):
     def require_open(self) -> None:
         if self.closed:
             raise RuntimeError("the environment is closed")
+
+    def __getstate__(self) -> dict[str, Any]:
+        if self.task.sensors and self._ended is not None:
+            raise TypeError("an environment with sensors can be pickled before its first reset() alone")
+        return self.__dict__
 
     def _observations(self) -> np.ndarray:
         return self.task.observations.of(self._readings)
@@ -274,7 +282,8 @@ class SieveEnv(Env):
     metadata = {"render_modes": list(RENDER_MODES)}
 
     def __init__(self, scene: AnyScene, *, render_mode: Optional[str] = None, **settings: Any):
-        """@param settings actions, limits, slew_rates, observations, reward, step, episode, window, cells: see Task.
+        """@param settings actions, limits, slew_rates, observations, reward, step, episode, window, cells, sensors: see
+        Task.
         Raises ValueError, SceneError."""
         self._one = SieveVectorEnv(scene, 1, threads=1, autoreset="disabled", render_mode=render_mode, **settings)
         self.render_mode = render_mode

@@ -1,7 +1,7 @@
 """What is read of sieves at the end of a step."""
 from __future__ import annotations
 
-from typing import Any, Mapping, Optional
+from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -27,10 +27,12 @@ class Readings:
                                  [m/s]; 0 where it is undefined, see mean_vx_defined
     histogram    (n, S, cells)   numbers of disks in equal cells along the base, from the left
     base         (n, fields)     by BASE_FIELDS; see Simulation.base
+    sensors      (n, values)     what the sensors sent last, by `sensed`; 0 before
     """
 
-    def __init__(self, species: list[str], count: int, cells: int, window_steps: int):
-        self.species = species
+    def __init__(self, species: list[str], count: int, cells: int, window_steps: int, sensed: Sequence[str] = ()):
+        self.species, self.sensed = species, sensed
+        self.sensors = np.zeros((count, len(sensed)))
         self.time = np.zeros(count)
         self.bins = np.zeros((count, len(species), len(BIN_FIELDS)))
         self.mean_vx = np.zeros((count, len(species)))
@@ -62,7 +64,7 @@ class Readings:
         self._take(which, read)
 
     def _take(self, which: np.ndarray, read: Mapping[str, np.ndarray]) -> None:
-        for name in ("time", "bins", "histogram", "base"):
+        for name in ("time", "bins", "histogram", "base", "sensors"):
             getattr(self, name)[which] = read[name]
         self.mean_vx_defined[which] = np.isfinite(read["mean_vx"])
         self.mean_vx[which] = np.nan_to_num(read["mean_vx"])
@@ -95,4 +97,5 @@ class Readings:
             processed=optional(self.processed[k], self.processed_defined[k]),
             mean_vx=Values(zip(self.species, map(optional, self.mean_vx[k], self.mean_vx_defined[k]))),
             histogram=Values(zip(self.species, self.histogram[k].copy())),
-            base=Values(zip(BASE_FIELDS, self.base[k].tolist())))
+            base=Values(zip(BASE_FIELDS, self.base[k].tolist())),
+            sensors=Values(zip(self.sensed, self.sensors[k].tolist())))

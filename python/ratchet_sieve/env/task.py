@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import functools
+import json
 import math
 import operator
 import warnings
@@ -199,13 +200,15 @@ class Task:
     episode       length of an episode [s], after which it is truncated. Default: the scene's duration
     window        what left lately, left within this time [s]
     cells         number of cells of the histograms along the base
+    sensors       what the ROS node's sensors would read, with their settings, such as {"count": {"miss": 0.05}}: scale,
+                  count, level; see docs/node.md. The observation "sensors" is what they sent last
     Times are taken as whole steps.
     """
 
     def __init__(self, scene: AnyScene, *, actions: Sequence[str] = ("inclination",), limits: Optional[Limits] = None,
                  slew_rates: Optional[Mapping[str, float]] = None, observations: Sequence[str] = DEFAULT_OBSERVATIONS,
                  reward: Reward = "quality", step: float = 1.0, episode: Optional[float] = None, window: float = 10.0,
-                 cells: int = 10):
+                 cells: int = 10, sensors: Optional[Mapping[str, Mapping[str, float]]] = None):
         """Raises ValueError, SceneError."""
         scene = scene_of(scene)
         episode = scene["duration"] if episode is None else episode
@@ -220,8 +223,12 @@ class Task:
         self.scene = scene.replace({"duration": self.steps * self.step, "settle": 0.0})
         self.actions = Actions(actions, limits, slew_rates)
         self.actions.require_start(self.scene)
-        self.observations = Observations(observations, _parts(scene.species, self.cells, self.steps * self.step,
-                                                              self.actions.limits))
+        self.sensors = json.dumps(sensors) if sensors is not None else None
+        self.sensed = _engine.sensed_names(self.sensors, scene._engine) if self.sensors else []
+        known = _parts(scene.species, self.cells, self.steps * self.step, self.actions.limits)
+        if self.sensors:
+            known["sensors"] = Part(self.sensed, [_ANY] * len(self.sensed), operator.attrgetter("sensors"))
+        self.observations = Observations(observations, known)
         self.reward = reward
         self._goal = None if callable(reward) else self._goal_of(reward)
 

@@ -37,15 +37,18 @@ def plot_segregation(axes, segregation):
     describe(axes, 'Segregation', 'ratio')
 
 
-def plot_drive(axes, drive, quantity, label, colour, scale=1.0):
+# Of each quantity of the drive the axis' label, the colour and the factor from SI units.
+DRIVE = {'inclination': (r'$\theta$ [rad]', COLOURS[4], 1.0), 'frequency': ('$f$ [Hz]', COLOURS[5], 1.0),
+         'amplitude': ('$A$ [mm]', COLOURS[3], MM)}
+
+
+def plot_drive(axes, drive, quantity):
+    label, colour, scale = DRIVE[quantity]
     time, applied = drive.numbers('time'), drive.numbers(quantity, scale)
     axes.step(time, drive.numbers('commanded_' + quantity, scale), where='post', color=GREY, linestyle=':',
               linewidth=1.2, label='commanded')
     axes.plot(time, applied, color=colour, label='applied')
     describe(axes, quantity.capitalize(), label)
-    if len(applied) and np.ptp(applied) < 1e-9:
-        margin = max(0.1 * abs(applied[0]), 0.01)
-        axes.set_ylim(applied[0] - margin, applied[0] + margin)
     beside(axes)
 
 
@@ -84,20 +87,22 @@ def plot_contacts(axes, contacts):
 
 
 def draw_result(directory):
-    """Bins and segregation above the drive; if no disk can leave, drift and contacts."""
-    heights = (3, 2, 1.1, 1.1, 1.1)
-    figure, axes = panels(5, 1, (7.5, 8.5), None, sharex=True, gridspec_kw={'height_ratios': heights})
+    """Bins and segregation above what of the drive changes; if no disk can leave, drift and contacts."""
+    drive = read_table(directory / 'drive.csv')
+    changing = [quantity for quantity in DRIVE if any(len(set(drive.numbers(column))) > 1
+                                                      for column in (quantity, 'commanded_' + quantity))]
+    heights = (3, 2, *(1.1 for _ in changing))
+    figure, axes = panels(len(heights), 1, (7.5, sum(heights) + 0.4), None, sharex=True,
+                          gridspec_kw={'height_ratios': heights})
     if disks_can_leave(directory):
         plot_bins(axes[0], read_table(directory / 'bins.csv'))
         plot_segregation(axes[1], read_table(directory / 'segregation.csv'))
     else:
         plot_drift(axes[0], read_table(directory / 'drift.csv'))
         plot_contacts(axes[1], read_table(directory / 'contacts.csv'))
-    drive = read_table(directory / 'drive.csv')
-    plot_drive(axes[2], drive, 'inclination', r'$\theta$ [rad]', COLOURS[4])
-    plot_drive(axes[3], drive, 'frequency', '$f$ [Hz]', COLOURS[5])
-    plot_drive(axes[4], drive, 'amplitude', '$A$ [mm]', COLOURS[3], MM)
-    axes[4].set_xlabel('time [s]')
+    for place, quantity in zip(axes[2:], changing):
+        plot_drive(place, drive, quantity)
+    axes[-1].set_xlabel('time [s]')
     figure.subplots_adjust(hspace=0.45)
     return figure
 

@@ -32,6 +32,7 @@ def draw_front(front, axes=None, color=COLOURS[0], name="front, fresh seeds"):
                       front.table.throughput_half_width, fmt="o-", capsize=2, color=color, label=name)
         goal = front.machine.goal
         axes.set(xlabel="throughput [disks/s]", ylabel=f"|{goal}|" if front.machine.is_signed else label(goal))
+        axes.autoscale(axis="x")
         axes.set_xlim(left=0.0)
         axes.legend()
         return axes

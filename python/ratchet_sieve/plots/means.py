@@ -4,7 +4,7 @@ import math
 
 from ratchet_sieve.plots.curves import curve, end_labels, key_colours
 from ratchet_sieve.plots.maps import mark_cells, shown, value_map
-from ratchet_sieve.tables import species_of
+from ratchet_sieve.tables import QUALITIES, species_of
 from ratchet_sieve.values import unit_of
 
 SMALLEST_DIFFERENCE = 1e-6  # of an axis: steps that differ by a smaller part are taken as equal
@@ -107,20 +107,20 @@ def draw_curves(axes, means, field, x, y):
         known = [mean.value for _, mean in points if mean]
         if known and y is not None:
             ends.append((known[-1], shown(other), colour))
-        if field == 'quality':
-            mark_curve(axes, means, dict(zip(means.xs, places)), other, colour)
+        if field in QUALITIES:
+            mark_curve(axes, means, field, dict(zip(means.xs, places)), other, colour)
     end_labels(axes, ends, label(y))
     axes.set_xlabel(label(x))
     axes.set_ylabel(label(field, means.species))
 
 
-def mark_curve(axes, means, places, other, colour):
+def mark_curve(axes, means, field, places, other, colour):
     """Hollow points where Q is not comparable, and a star at the best. @param places map from x to its place"""
-    hollow = [(place, means.value('quality', v, other)) for v, place in places.items() if (v, other) in means.below]
+    hollow = [(place, means.value(field, v, other)) for v, place in places.items() if (v, other) in means.below]
     axes.plot([place for place, _ in hollow], [mean for _, mean in hollow], 'o', color=colour, markersize=5,
               markerfacecolor='white', zorder=3)
     if means.best and means.best[1] == other:
-        axes.plot(places[means.best[0]], means.value('quality', *means.best), '*', color=colour, markersize=11,
+        axes.plot(places[means.best[0]], means.value(field, *means.best), '*', color=colour, markersize=11,
                   zorder=4)
 
 
@@ -137,7 +137,7 @@ def draw_map(axes, means, field, x, y):
     (x_edges, xs), (y_edges, ys) = cells(axes.xaxis, means.xs), cells(axes.yaxis, means.ys)
     value_map(axes, x_edges, y_edges, [[means.value(field, u, v) for u in means.xs] for v in means.ys],
               label(field, means.species))
-    if field == 'quality':
+    if field in QUALITIES:
         mark_cells(axes, x_edges, y_edges, [(means.xs.index(u), means.ys.index(v)) for u, v in means.below])
         if means.best:
             axes.plot(xs[means.xs.index(means.best[0])], ys[means.ys.index(means.best[1])], '*', color='white',

@@ -15,7 +15,7 @@ from ratchet_sieve.plots.program import parser_of, run_program
 from ratchet_sieve.plots.style import GREY, panels, save
 from ratchet_sieve.plots.sweep_page import pages_of, report_of
 from ratchet_sieve.tables import (
-    Refusal, column_of, departed, read_csv, read_rows, throughput, typed, write_csv, write_each, write_text)
+    QUALITIES, QUALITY, STEADY_QUALITY, Refusal, column_of, departed, read_csv, read_rows, throughput, typed, write_csv, write_each, write_text)
 from ratchet_sieve.texts import counted
 
 MOST_CURVES = STEPS  # in one picture
@@ -70,7 +70,7 @@ def choose_axes(options, keys, rows):
 
 
 def default_fields(rows):
-    wanted = ['quality', 'separation', 'steady.quality.value', 'processed', 'throughput',
+    wanted = [STEADY_QUALITY, QUALITY, 'separation', 'processed', 'throughput',
               *(name for name in rows.frame if name.startswith('mean_vx.'))]
     fields = [field for field in wanted if rows.samples(field)]
     if not fields:
@@ -141,7 +141,7 @@ def origin_of(rows, means, where, failed, limits):
     warned = sum(count > 0 for count in rows.samples('warnings'))
     if warned:
         origin += f"; {warned} with warnings"
-    if 'quality' in means.fields and means.below:
+    if means.below and not {*QUALITIES}.isdisjoint(means.fields):
         origin += (f"; Q hatched or hollow: P < {limits.processed:g} or fewer than "
                    f"{limits.counted:g} disks counted, in the mean")
     return origin

@@ -1,4 +1,15 @@
-"""What the page of a sweep's report shows, as report.json. Its structure is in docs/sweeps.md."""
+"""What the page of a sweep's report shows, as report.json: an object, in which null is what is undefined.
+
+title, origin, findings   the sweep's name, what the means are from, lines on the best setting and on warnings
+least_processed, least_counted   limits of comparable settings
+x, y      the keys along the axes (y null if one key varies): key, label, unit, values in order
+fields    what is averaged: name (the column), label, unit
+best      the best setting: numbers x and y in the axes' values, from 0
+places    the settings with a result: x, y, runs, comparable; means, of each field null or value, error (the standard
+          error, null for one run) and count, the runs in which it is defined; and cases
+cases     arguments, which follow `command`, the common part of all command lines, for the directory in which the report
+          was made; seeds, as texts for --seed, null: the scene's own; pages, relative to the report, null: not kept
+"""
 import json
 import os
 import urllib.parse

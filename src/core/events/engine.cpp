@@ -123,7 +123,7 @@ std::unique_ptr<EventLoop> Engine::makeLoop()
   laneLimit();
   if (!hasPairs())
     return makeEnsembleLoop(state_);
-  return state_.plan().steps ? makeStepLoop(state_, execution_) : makePairLoop(state_, execution_);
+  return state_.plan().steps ? makeStepLoop(state_) : makePairLoop(state_);
 }
 
 double Engine::nextMachineEvent() const

@@ -9,15 +9,15 @@
 
 #include "events/event_loop.h"
 #include "model/random.h"
-#include "state/contact_execution.h"
-#include "state/period_watch.h"
+#include "observe/period_watch.h"
+#include "observe/run_observers.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
 {
 
-/// What advances a system: a loop for the events of single disks, the execution of their contacts, and the
-/// events of the whole machine. Times are local to the epoch unless stated otherwise.
+/// What advances a system: a loop for the events of single disks, and the events of the whole machine. Times
+/// are local to the epoch unless stated otherwise.
 class Engine
 {
 public:
@@ -32,6 +32,8 @@ public:
 
   const SystemState& state() const { return state_; }
   SystemState& state() { return state_; }
+  const RunObservers& observers() const { return observers_; }
+  RunObservers& observers() { return observers_; }
   std::uint64_t events() const { return loop_->events(); }
   std::uint64_t eventsInStrips() const { return loop_->eventsInStrips(); }
   bool settled() const { return settled_; }
@@ -43,7 +45,7 @@ public:
     return settledTime() + static_cast<double>(blocks) * blockTime();
   }
   MeanSeries meanSeries() const { return state_.sums().averages.series(blockTime()); }
-  FlowSeries flowSeries() const { return state_.log().flowSeries(settledTime(), blockTime()); }
+  FlowSeries flowSeries() const { return observers_.flowSeries(settledTime(), blockTime()); }
 
   /// In the run's time [s].
   double startTime() const { return start_; }
@@ -119,7 +121,7 @@ private:
   void announce(std::uint32_t first);
 
   SystemState state_;
-  ContactExecution execution_{state_};
+  RunObservers observers_{state_};
   Random random_;
 
   /// Of the feed's times and species alone: they are the same in every setting of a machine.

@@ -13,6 +13,7 @@
 #include "simd/batch_run.h"
 #include "simd/worker_pool.h"
 #include "state/contact_execution.h"
+#include "state/contact_prediction.h"
 
 namespace ratchet_sieve
 {
@@ -51,8 +52,8 @@ public:
   explicit EnsembleLoop(SystemState& state)
       : state_(state),
         buffer_(state.log().buffer()),
+        prediction_(state),
         execution_(state, &buffer_),
-        base_(state.motion()),
         kernel_(widestKernel(laneLimit()))
   {
     EnsembleLoop::setThreads(1);
@@ -92,7 +93,7 @@ public:
 
   void motionChanged(double time) override
   {
-    base_.forget();
+    prediction_.renew();
     for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
       if (state_.active(slot))
         next_[slot] = search(slot, time);
@@ -100,7 +101,7 @@ public:
 
   void rebase(double length) override
   {
-    base_.forget();
+    prediction_.renew();
     for (BaseEvent& event : next_)
       event.time -= length;
   }
@@ -118,6 +119,7 @@ public:
   {
     EventLoop::archive(state);
     state(next_);
+    prediction_.renew();
   }
 
 private:
@@ -281,7 +283,7 @@ private:
     state_.collapseWatch().count(slot, now);
     ++pass_events_;
     if (next.feature)
-      execution_.handleBaseEvent(slot, next.feature, now, base_);
+      execution_.handleBaseEvent(slot, next.feature, now, prediction_.base());
     wrapIntoWidth(slot, now);
     next = search(slot, now);
   }
@@ -290,20 +292,18 @@ private:
   void wrapIntoWidth(std::uint32_t slot, double now)
   {
     if (state_.scene().boundary == Boundary::PERIODIC)
-      state_.wrapIntoWidth(slot, state_.search().seenFromBase(state_.disk(slot), base_.at(now), now).s(), now,
-                           &buffer_);
+      state_.wrapIntoWidth(slot, prediction_.base().at(now).see(state_.flown(slot, now)).s(), now, &buffer_);
   }
 
   BaseEvent search(std::uint32_t slot, double from)
   {
-    return state_.nextBaseEvent(slot, state_.flown(slot, from), std::numeric_limits<double>::infinity(),
-                                base_);
+    return prediction_.nextBaseEvent(slot, state_.flown(slot, from), std::numeric_limits<double>::infinity());
   }
 
   SystemState& state_;
   ThreadBuffer buffer_;  ///< of the present pass
+  ContactPrediction prediction_;
   ContactExecution execution_;
-  BaseInstant base_;
   const BatchKernel& kernel_;
   std::vector<BaseEvent> next_;        ///< per disk
   std::vector<std::uint32_t> behind_;  ///< disks that have not reached the last event

@@ -10,7 +10,6 @@
 namespace ratchet_sieve
 {
 
-class ContactExecution;
 class SystemState;
 
 /// How a layer is divided among threads and into strips (PairStrips). The results do not depend on it.
@@ -87,9 +86,9 @@ protected:
 std::unique_ptr<EventLoop> makeEnsembleLoop(SystemState& state);
 
 /// For disks that collide with each other: one event queue for all.
-std::unique_ptr<EventLoop> makePairLoop(SystemState& state, ContactExecution& execution);
+std::unique_ptr<EventLoop> makePairLoop(SystemState& state);
 
 /// For disks that collide with each other, by fixed integration steps: Method::STEPS.
-std::unique_ptr<EventLoop> makeStepLoop(SystemState& state, ContactExecution& execution);
+std::unique_ptr<EventLoop> makeStepLoop(SystemState& state);
 
 }  // namespace ratchet_sieve

@@ -7,14 +7,14 @@
 
 #include "events/disk_cells.h"
 #include "events/event_queue.h"
-#include "search/pair_search.h"
 #include "state/contact_execution.h"
+#include "state/contact_prediction.h"
 
 namespace ratchet_sieve
 {
 
 /// The first event of each type on a disk's present flight.
-struct DiskPrediction
+struct alignas(64) DiskPrediction
 {
   PairContact pair;
   std::uint32_t partner_event_count = 0;  ///< the partner's count at the prediction
@@ -49,7 +49,7 @@ struct PairLayer
 
   SystemState& state;
   DiskCells cells;
-  std::vector<DiskPrediction> predictions;  ///< per disk
+  SlotArray<DiskPrediction> predictions;  ///< per disk
 };
 
 /// The events of colliding disks. Each disk has one event in the queue, its earliest: a pair contact, a base
@@ -75,14 +75,14 @@ class PairEvents
 public:
   /// @param layer, queue outlive this
   /// @param buffer as in SystemState::collided()
-  PairEvents(PairLayer& layer, Queue& queue, ContactExecution execution, ThreadBuffer* buffer)
+  PairEvents(PairLayer& layer, Queue& queue, ThreadBuffer* buffer)
       : layer_(layer),
         state_(layer.state),
         cells_(layer.cells),
         queue_(queue),
-        execution_(std::move(execution)),
-        buffer_(buffer),
-        base_(layer.state.motion())
+        prediction_(layer.state),
+        execution_(layer.state, buffer),
+        buffer_(buffer)
   {
   }
 
@@ -90,7 +90,7 @@ public:
   void process(std::uint32_t slot, double now)
   {
     ++events_;
-    DiskPrediction& p = prediction(slot);
+    DiskPrediction& p = predicted(slot);
     if (p.pair.time <= now)
       processPair(slot, now);
     else if (p.base.feature && p.base.time <= now)
@@ -130,15 +130,15 @@ public:
   void predict(std::uint32_t slot, double now)
   {
     searchPairs(slot, now);
-    DiskPrediction& p = prediction(slot);
+    DiskPrediction& p = predicted(slot);
     p.edge = CellEdge::NONE;
     p.cell_time = now;
     p.base = {now, {}};
     refresh(slot);
   }
 
-  /// To be called after the base's motion or the zero of time changed.
-  void motionChanged() { base_.forget(); }
+  /// See ContactPrediction::renew().
+  void renew() { prediction_.renew(); }
 
   std::uint64_t events() const { return events_; }
 
@@ -147,11 +147,11 @@ public:
   std::uint64_t takeCrossings() { return std::exchange(crossings_, 0); }
 
 private:
-  DiskPrediction& prediction(std::uint32_t slot) { return layer_.predictions[slot]; }
+  DiskPrediction& predicted(std::uint32_t slot) { return layer_.predictions[slot]; }
 
   void processPair(std::uint32_t slot, double now)
   {
-    const DiskPrediction p = prediction(slot);
+    const DiskPrediction p = predicted(slot);
     if (layer_.isStale(p) || !execution_.collidePair(slot, p.pair.partner, p.pair.shift, now).closed)
     {
       searchPairs(slot, now);
@@ -164,10 +164,10 @@ private:
 
   void processBase(std::uint32_t slot, double now)
   {
-    const BaseFeature feature = prediction(slot).base.feature;
-    if (!execution_.handleBaseEvent(slot, feature, now, base_))
+    const BaseFeature feature = predicted(slot).base.feature;
+    if (!execution_.handleBaseEvent(slot, feature, now, prediction_.base()))
     {
-      prediction(slot).base = {now, {}};
+      predicted(slot).base = {now, {}};
       return refresh(slot);
     }
     if (state_.active(slot))
@@ -177,32 +177,32 @@ private:
       return predict(slot, now);
     }
     cells_.remove(slot);
-    prediction(slot) = DiskPrediction();
+    predicted(slot) = DiskPrediction();
     queue_.update(slot, EventQueue::NEVER);
   }
 
   void crossEdge(std::uint32_t slot, double now)
   {
     ++crossings_;
-    const CellEdge edge = prediction(slot).edge;
+    const CellEdge edge = predicted(slot).edge;
     if (cells_.cross(slot, edge, now, buffer_))
       return predict(slot, now);
     searchPairsIn(slot, edge, now);
-    prediction(slot).edge = CellEdge::NONE;
-    prediction(slot).cell_time = now;
+    predicted(slot).edge = CellEdge::NONE;
+    predicted(slot).cell_time = now;
     refresh(slot);
   }
 
   void searchPairs(std::uint32_t slot, double now)
   {
-    prediction(slot).pair = PairContact();
+    predicted(slot).pair = PairContact();
     searchPairsIn(slot, CellEdge::NONE, now);
   }
 
   void searchPairsIn(std::uint32_t slot, CellEdge entered, double now)
   {
-    DiskPrediction& p = prediction(slot);
-    const PairSearch search(state_.pairScene(), slot, now);
+    DiskPrediction& p = predicted(slot);
+    const PairSearch search = prediction_.pairsOf(slot, now);
     const int ring_shifts = cells_.ringShifts();
     const std::int32_t* const images = cells_.images(slot);
     cells_.grid().visit(slot, entered, near_,
@@ -223,7 +223,7 @@ private:
   /// the earliest.
   void refresh(std::uint32_t slot)
   {
-    DiskPrediction& p = prediction(slot);
+    DiskPrediction& p = predicted(slot);
     // The two usually begin at the same time.
     const Kinematics point = state_.flown(slot, p.base.time);
     if (p.edge == CellEdge::NONE && p.cell_time < p.pair.time)
@@ -237,7 +237,7 @@ private:
     const double others = std::min(p.pair.time, p.cell_time);
     if (!p.base.feature && p.base.time < others)
       p.base =
-          cells_.aboveBase(slot) ? BaseEvent{others, {}} : state_.nextBaseEvent(slot, point, others, base_);
+          cells_.aboveBase(slot) ? BaseEvent{others, {}} : prediction_.nextBaseEvent(slot, point, others);
     queue_.update(slot, std::min(others, p.base.time));
   }
 
@@ -245,9 +245,9 @@ private:
   SystemState& state_;
   DiskCells& cells_;
   Queue& queue_;
+  ContactPrediction prediction_;
   ContactExecution execution_;
   ThreadBuffer* buffer_;
-  BaseInstant base_;
   std::uint64_t events_ = 0;
   std::uint64_t crossings_ = 0;
   std::vector<std::uint32_t> near_;  ///< candidates of the neighbour search

@@ -9,7 +9,6 @@
 #include "events/pair_events.h"
 #include "events/pair_strips.h"
 #include "model/processor.h"
-#include "state/contact_execution.h"
 
 namespace ratchet_sieve
 {
@@ -62,8 +61,8 @@ struct PrefetchWindow
 class PairLoop : public EventLoop
 {
 public:
-  PairLoop(SystemState& state, ContactExecution& execution)
-      : state_(state), layer_(state), events_of_queue_(layer_, queue_, execution, nullptr)
+  explicit PairLoop(SystemState& state)
+      : state_(state), layer_(state), events_of_queue_(layer_, queue_, nullptr)
   {
     queue_.resize(state_.disks().size());
   }
@@ -100,7 +99,7 @@ public:
   void motionChanged(double time) override
   {
     useQueue();
-    events_of_queue_.motionChanged();
+    events_of_queue_.renew();
     cells_.rebuild(layer_.predictions.size(), time);
     forEachActive([&](std::uint32_t slot) { events_of_queue_.predict(slot, time); });
     reached_ = time;
@@ -109,7 +108,7 @@ public:
   void rebase(double length) override
   {
     useQueue();
-    events_of_queue_.motionChanged();
+    events_of_queue_.renew();
     for (DiskPrediction& p : layer_.predictions)
     {
       p.pair.time -= length;
@@ -128,8 +127,10 @@ public:
   {
     EventLoop::archive(state);
     state(cells_, layer_.predictions);
-    if (state.restoring())
-      fillQueue();
+    if (!state.restoring())
+      return;
+    events_of_queue_.renew();
+    fillQueue();
   }
 
   void setThreads(std::size_t threads, const StripSettings& settings = {}) override
@@ -308,9 +309,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<EventLoop> makePairLoop(SystemState& state, ContactExecution& execution)
+std::unique_ptr<EventLoop> makePairLoop(SystemState& state)
 {
-  return std::make_unique<PairLoop>(state, execution);
+  return std::make_unique<PairLoop>(state);
 }
 
 }  // namespace ratchet_sieve

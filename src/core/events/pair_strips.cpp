@@ -35,7 +35,7 @@ PairStrips::Region::Region(PairLayer& layer, std::vector<std::uint32_t>& places,
       columns(size),
       buffer(layer.state.log().buffer()),
       queue(places),
-      events(layer, queue, ContactExecution(layer.state, &buffer), &buffer)
+      events(layer, queue, &buffer)
 {
 }
 

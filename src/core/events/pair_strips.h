@@ -183,7 +183,7 @@ private:
   {
     SystemState::Snapshot state;
     DiskCells::Snapshot cells;
-    std::vector<DiskPrediction> predictions;
+    SlotArray<DiskPrediction> predictions;
   };
   Copy copy_;
 };

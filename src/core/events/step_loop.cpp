@@ -8,10 +8,10 @@
 
 #include "events/event_loop.h"
 #include "events/step_contacts.h"
+#include "ratchet_sieve/geometry/overlap_search.h"
 #include "search/base_overlap.h"
-#include "search/overlap_search.h"
-#include "search/pair_search.h"
 #include "state/contact_execution.h"
+#include "state/contact_prediction.h"
 
 namespace ratchet_sieve
 {
@@ -43,10 +43,10 @@ template <typename Overlaps>
 class StepLoop : public EventLoop
 {
 public:
-  StepLoop(SystemState& state, ContactExecution& execution)
+  explicit StepLoop(SystemState& state)
       : state_(state),
-        execution_(execution),
-        base_(state_.motion()),
+        prediction_(state),
+        execution_(state),
         step_(state_.scene().accuracy.step),
         gravity_(state_.scene().gravity),
         overlaps_(state_.shape().width(), state_.largestDiameter(),
@@ -75,11 +75,11 @@ public:
 
   void added(std::uint32_t /*slot*/, double time) override { start_ = time; }
 
-  void motionChanged(double /*time*/) override { base_.forget(); }
+  void motionChanged(double /*time*/) override { prediction_.renew(); }
 
   void rebase(double length) override
   {
-    base_.forget();
+    prediction_.renew();
     start_ -= length;
   }
 
@@ -87,6 +87,7 @@ public:
   {
     EventLoop::archive(state);
     state(start_);
+    prediction_.renew();
   }
 
 private:
@@ -100,7 +101,7 @@ private:
   bool advanceBy(double end)
   {
     end_ = end;
-    frame_ = base_.at(end);
+    frame_ = prediction_.base().at(end);
     ring_ = frame_.image(state_.shape().width());
     contacts_.begin(start_, end, state_.disks().size());
     placeDisks();
@@ -176,7 +177,7 @@ private:
   /// find a contact.
   void pushOut(std::uint32_t slot)
   {
-    const FrameOfBase& base = base_.at(start_);
+    const FrameOfBase& base = prediction_.base().at(start_);
     const Eigen::Vector2d at = base.positionInto(positionAt(state_.disk(slot), start_, gravity_));
     const auto way = base_overlap_.wayOut(at.x(), at.y(), state_.radius(slot));
     if (!way)
@@ -203,14 +204,14 @@ private:
       return;
     std::optional<double> time = end_ - timeSinceContact(position, velocity, excess);
     if (!(*time > from))
-      time = PairSearch(state_.pairScene(), slot, from).contactWith(other, shift);
+      time = prediction_.pairsOf(slot, from).contactWith(other, shift);
     if (time && *time <= end_)
       contacts_.push({*time, slot, a.event_count, other, b.event_count, shift, {}});
   }
 
   void findBaseContact(std::uint32_t slot, double from)
   {
-    const BaseEvent event = state_.nextBaseEvent(slot, state_.flown(slot, from), end_, base_);
+    const BaseEvent event = prediction_.nextBaseEvent(slot, state_.flown(slot, from), end_);
     if (event.feature && event.time <= end_)
       contacts_.push({event.time, slot, state_.disk(slot).event_count, slot, 0, 0, event.feature});
   }
@@ -227,7 +228,8 @@ private:
     ++contacts_of_[contact.slot];
     if (contact.feature)
     {
-      const bool turned = execution_.handleBaseEvent(contact.slot, contact.feature, contact.time, base_);
+      const bool turned =
+          execution_.handleBaseEvent(contact.slot, contact.feature, contact.time, prediction_.base());
       if (!turned && contacts_of_[contact.slot] < MOST_CONTACTS)
         findBaseContact(contact.slot, contact.time);
       if (turned && state_.active(contact.slot))
@@ -263,8 +265,8 @@ private:
   }
 
   SystemState& state_;
-  ContactExecution& execution_;
-  BaseInstant base_;
+  ContactPrediction prediction_;
+  ContactExecution execution_;
   double step_;         ///< [s]
   double gravity_;      ///< [m/s^2]
   double start_ = 0.0;  ///< of the next step
@@ -284,11 +286,11 @@ private:
 
 }  // namespace
 
-std::unique_ptr<EventLoop> makeStepLoop(SystemState& state, ContactExecution& execution)
+std::unique_ptr<EventLoop> makeStepLoop(SystemState& state)
 {
   if (state.wideSizes())
-    return std::make_unique<StepLoop<OverlapLevels>>(state, execution);
-  return std::make_unique<StepLoop<OverlapSearch>>(state, execution);
+    return std::make_unique<StepLoop<OverlapLevels>>(state);
+  return std::make_unique<StepLoop<OverlapSearch>>(state);
 }
 
 }  // namespace ratchet_sieve

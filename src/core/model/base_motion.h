@@ -36,6 +36,9 @@ public:
   void evaluate(double time, FrameOfBase& frame) const;
   DriveState state(double time) const;
 
+  /// The periodic image at distance `length` along the base, relative to the disk itself, at `time`.
+  Image image(double length, double time) const { return length == 0.0 ? Image() : at(time).image(length); }
+
   double segmentStart() const { return segment_start_; }
 
   /// For theta at the segment's start; valid for the whole segment while the base does not turn.

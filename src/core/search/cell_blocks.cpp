@@ -70,7 +70,7 @@ std::uint32_t* CellBlocks::copyOverflow(std::uint32_t entry, std::vector<std::ui
 
 void CellBlocks::sortOverflow()
 {
-  std::vector<Block> sorted;
+  SlotArray<Block> sorted;
   sorted.reserve(full_.capacity());
   for (Block& first : blocks_)
     for (Block* block = &first; block->next != NONE; block = &sorted.back())

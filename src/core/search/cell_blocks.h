@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/processor.h"
+#include "model/slot_array.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
@@ -107,8 +108,8 @@ private:
   void pushFullBlock(std::size_t cell);
   void popFullBlock(std::size_t cell);
 
-  std::vector<Block> blocks_;        ///< per cell
-  std::vector<Block> full_;          ///< overflow: full blocks of cells
+  SlotArray<Block> blocks_;          ///< per cell
+  SlotArray<Block> full_;            ///< overflow: full blocks of cells
   std::vector<std::uint32_t> free_;  ///< unused entries of full_
   Lock lock_;                        ///< of the sizes of full_ and free_
 };

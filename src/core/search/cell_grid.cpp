@@ -6,6 +6,24 @@
 
 namespace ratchet_sieve
 {
+namespace
+{
+/// With more cells per disk, most would be empty and cost memory and crossings.
+constexpr double MAX_CELLS_PER_DISK = 1.5;
+constexpr double MIN_CELLS = 64.0;
+}  // namespace
+
+CellShape::CellShape(double width, double height, double smallest_side, std::size_t count, bool ring)
+    : periodic(ring)
+{
+  const double limit = std::max(MIN_CELLS, MAX_CELLS_PER_DISK * static_cast<double>(count));
+  const double side = std::max(smallest_side, std::sqrt(width * height / limit));
+  columns = static_cast<std::int32_t>(std::clamp(std::floor(width / side), 1.0, limit));
+  rows = static_cast<std::int32_t>(std::clamp(std::floor(height / side), 1.0, limit));
+  side_s = width / columns;
+  side_n = side;
+}
+
 CellGrid::CellGrid(const CellShape& shape, const SizeLevels& levels, double margin, std::size_t count,
                    std::int32_t laps)
     : shape_(shape),

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "search/cell_nest.h"
+#include "search/cell_shape.h"
 
 namespace ratchet_sieve
 {

@@ -12,22 +12,7 @@ std::int32_t at(const std::vector<std::int32_t>& extent, std::int32_t rows)
 {
   return rows < static_cast<std::int32_t>(extent.size()) ? extent[static_cast<std::size_t>(rows)] : -1;
 }
-
-/// With more cells per disk, most would be empty and cost memory and crossings.
-constexpr double MAX_CELLS_PER_DISK = 1.5;
-constexpr double MIN_CELLS = 64.0;
 }  // namespace
-
-CellShape::CellShape(double width, double height, double smallest_side, std::size_t count, bool ring)
-    : periodic(ring)
-{
-  const double limit = std::max(MIN_CELLS, MAX_CELLS_PER_DISK * static_cast<double>(count));
-  const double side = std::max(smallest_side, std::sqrt(width * height / limit));
-  columns = static_cast<std::int32_t>(std::clamp(std::floor(width / side), 1.0, limit));
-  rows = static_cast<std::int32_t>(std::clamp(std::floor(height / side), 1.0, limit));
-  side_s = width / columns;
-  side_n = side;
-}
 
 CellNest::CellNest(const CellShape& shape, SizeLevels levels, double margin)
     : levels_(std::move(levels)), margin_(margin)

@@ -93,13 +93,9 @@ public:
   }
 
   /// The position and velocity of the disk relative to the base at `time`.
-  [[gnu::always_inline]] BasePoint seenFromBase(const Disk& disk, const FrameOfBase& base, double time) const
-  {
-    return base.see(kinematicsAt(disk, time, gravity_));
-  }
   BasePoint seenFromBase(const Disk& disk, double time) const
   {
-    return seenFromBase(disk, motion_.at(time), time);
+    return motion_.at(time).see(kinematicsAt(disk, time, gravity_));
   }
 
 private:

@@ -153,7 +153,7 @@ struct PairSearch::Lanes
     excesses[LANES] = std::numeric_limits<double>::infinity();
     discriminants[LANES] = 0.0;
     closings[LANES] = -1.0;
-    const std::vector<Disk>& disks = search.scene_.disks;
+    const SlotArray<Disk>& disks = search.scene_.disks;
     const FlightLine line(disks[search.slot_], image.shift);
     unsigned found = 0;
     for (std::size_t k = 0; k < count; k += 2)

@@ -8,6 +8,7 @@
 #include "model/base_motion.h"
 #include "model/disk.h"
 #include "model/motion.h"
+#include "model/slot_array.h"
 
 namespace ratchet_sieve
 {
@@ -102,17 +103,13 @@ struct FlightLine
 /// The members of the machine that a pair search reads.
 struct PairScene
 {
-  const std::vector<Disk>& disks;  ///< by slot
+  const SlotArray<Disk>& disks;  ///< by slot
   const BaseMotion& motion;
   double width;            ///< of the base [m]
-  double gravity;          ///< [m/s^2]
   double time_resolution;  ///< times that differ by less are treated as equal [s]
 
   /// The image `shift` widths to the right, relative to the disk itself, at `time`.
-  Image image(double shift, double time) const
-  {
-    return shift == 0.0 ? Image() : motion.at(time).image(shift * width);
-  }
+  Image image(double shift, double time) const { return motion.image(shift * width, time); }
 };
 
 /// Finds the first contact of a disk with the images of another on a ring. The images form a row, one width

@@ -13,26 +13,7 @@ namespace
 /// Groups of a species: enough for a relative accuracy of 10 % of the error, few enough to store their
 /// series.
 constexpr std::size_t GROUPS = 64;
-
-bool sameLengths(const std::vector<BlockAverages>& rows)
-{
-  return std::all_of(rows.begin(), rows.end(),
-                     [&rows](const BlockAverages& row)
-                     { return row.blocks().size() == rows.front().blocks().size(); });
-}
 }  // namespace
-
-template <typename Sum>
-void Averages::Series<Sum>::endBlock(std::vector<Sum>&& now)
-{
-  for (std::size_t k = 0; k < blocks.size(); ++k)
-  {
-    const BlockSum& path = now[k];
-    const BlockSum& before = at_block_end[k];
-    blocks[k].add(path.sum - before.sum, path.weight - before.weight);
-  }
-  at_block_end = std::move(now);
-}
 
 Averages::Averages(const SystemState& system) : system_(system), layer_(system.plan().pairs)
 {
@@ -42,36 +23,29 @@ Averages::Averages(const SystemState& system) : system_(system), layer_(system.p
     species_of_.push_back(s);
   for (const SizeClass& size_class : system.sizeClasses())
     species_of_.push_back(size_class.species);
-  means_.begin(species_of_.size());
+  first_group_ = species_of_.size();
   if (scene.accuracy.mean_vx > 0.0 && !layer_)
-    groups_.begin(species * GROUPS);
+    for (std::size_t group = 0; group < species * GROUPS; ++group)
+      species_of_.push_back(group / GROUPS);
+  restart();
 }
 
-BlockSum Averages::path(std::uint32_t slot, double time) const
-{
-  const DiskRecord& record = system_.record(slot);
-  const Disk& disk = system_.disk(slot);
-  const double x = record.active ? positionAt(disk, time, system_.scene().gravity).x() : disk.position.x();
-  const double until = record.active ? system_.epoch().start + time : record.left_when;
-  return {x + record.offset - record.counted_x, until - record.counted_from};
-}
-
+/// Adds a disk's trajectory as far as it counts, up to `time` or until it left.
 void Averages::add(std::uint32_t slot, double time, std::vector<Sums>& sums) const
 {
   const Disk& disk = system_.disk(slot);
   const SpeciesDefinition& species = system_.scene().species[disk.species];
+  const double gravity = system_.scene().gravity;
   DiskRecord record = system_.record(slot);
   if (record.active)
-    record.fly(disk, time, system_.scene().gravity);
-  const BlockSum path = this->path(slot, time);
+    record.fly(disk, time, gravity);
+  const double x = record.active ? positionAt(disk, time, gravity).x() : disk.position.x();
+  const double until = record.active ? system_.epoch().start + time : record.left_when;
+  const BlockSum path{x + record.offset - record.counted_x, until - record.counted_from};
   const double mass = record.properties.mass;
   const double inertia = species.inertiaOf(mass, disk.radius) / species.inertia();
-  for (const std::size_t row :
-       {std::size_t{disk.species}, system_.scene().species.size() + system_.sizeClassOf(disk)})
+  const auto add_to = [&](Sums& sum)
   {
-    if (row == sums.size())
-      break;  // It is of no size class.
-    Sums& sum = sums[row];
     sum.disks += 1.0;
     sum.path.sum += path.sum;
     sum.path.weight += path.weight;
@@ -80,21 +54,17 @@ void Averages::add(std::uint32_t slot, double time, std::vector<Sums>& sums) con
     sum.time_squared += path.weight * path.weight;
     sum.translation += mass / species.mass * record.translation;
     sum.rotation += inertia * record.rotation;
-  }
+  };
+  add_to(sums[disk.species]);
+  if (const std::size_t row = system_.scene().species.size() + system_.sizeClassOf(disk); row < first_group_)
+    add_to(sums[row]);
+  if (hasGroups())
+    add_to(sums[first_group_ + disk.species * GROUPS + system_.id(slot) % GROUPS]);
 }
 
-void Averages::add(std::uint32_t slot, double time, std::vector<BlockSum>& groups) const
+std::vector<Averages::Sums> Averages::sums(double time) const
 {
-  const BlockSum path = this->path(slot, time);
-  BlockSum& sum = groups[system_.disk(slot).species * GROUPS + system_.id(slot) % GROUPS];
-  sum.sum += path.sum;
-  sum.weight += path.weight;
-}
-
-template <typename Sum>
-std::vector<Sum> Averages::sums(const Series<Sum>& series, double time) const
-{
-  std::vector<Sum> sums = series.gone;
+  std::vector<Sums> sums = gone_;
   for (std::uint32_t slot = 0; slot < system_.disks().size(); ++slot)
     if (system_.record(slot).counts())
       add(slot, time, sums);
@@ -104,27 +74,27 @@ std::vector<Sum> Averages::sums(const Series<Sum>& series, double time) const
 void Averages::forget(const std::vector<std::uint32_t>& slots)
 {
   for (const std::uint32_t slot : slots)
-  {
-    if (!system_.record(slot).counts())
-      continue;
-    add(slot, 0.0, means_.gone);
-    if (!groups_.blocks.empty())
-      add(slot, 0.0, groups_.gone);
-  }
+    if (system_.record(slot).counts())
+      add(slot, 0.0, gone_);
 }
 
 void Averages::restart()
 {
-  means_.begin(means_.blocks.size());
-  groups_.begin(groups_.blocks.size());
+  gone_.assign(species_of_.size(), {});
+  at_block_end_.assign(species_of_.size(), {});
+  blocks_.assign(species_of_.size(), {});
 }
 
 void Averages::endBlock(double time)
 {
-  if (layer_)
-    means_.endBlock(sums(means_, time));
-  if (!groups_.blocks.empty())
-    groups_.endBlock(sums(groups_, time));
+  if (!keepsSeries())
+    return;
+  const std::vector<Sums> now = sums(time);
+  for (std::size_t row = layer_ ? 0 : first_group_; row < now.size(); ++row)
+  {
+    const BlockSum before = std::exchange(at_block_end_[row], now[row].path);
+    blocks_[row].add(now[row].path.sum - before.sum, now[row].path.weight - before.weight);
+  }
 }
 
 SpeciesMeans Averages::Sums::means(const SpeciesDefinition& species) const
@@ -152,7 +122,7 @@ SpeciesMeans Averages::meansOf(std::size_t row, const std::vector<Sums>& sums) c
   if (!layer_ || !means.mean_vx)
     return means;
   // The larger one: from differences between disks, or from fluctuations of the whole layer in time.
-  const std::optional<double> over_time = means_.blocks[row].standardError();
+  const std::optional<double> over_time = blocks_[row].standardError();
   means.mean_vx_stderr =
       over_time ? std::optional(std::max(means.mean_vx_stderr.value_or(0.0), *over_time)) : std::nullopt;
   return means;
@@ -160,7 +130,7 @@ SpeciesMeans Averages::meansOf(std::size_t row, const std::vector<Sums>& sums) c
 
 std::vector<SpeciesMeans> Averages::means(double time) const
 {
-  const std::vector<Sums> all = sums(means_, time);
+  const std::vector<Sums> all = sums(time);
   std::vector<SpeciesMeans> means;
   for (std::size_t s = 0; s < system_.scene().species.size(); ++s)
   {
@@ -174,27 +144,27 @@ std::vector<SpeciesMeans> Averages::means(double time) const
 
 std::vector<SpeciesMeans> Averages::sizeClassMeans(double time) const
 {
-  const std::vector<Sums> all = sums(means_, time);
+  const std::vector<Sums> all = sums(time);
   std::vector<SpeciesMeans> means;
-  for (std::size_t row = system_.scene().species.size(); row < species_of_.size(); ++row)
+  for (std::size_t row = system_.scene().species.size(); row < first_group_; ++row)
     means.push_back(meansOf(row, all));
   return means;
 }
 
 MeanSeries Averages::series(double block_time) const
 {
-  const BlockAverages& first = (groups_.blocks.empty() ? means_.blocks : groups_.blocks).front();
+  const BlockAverages& first = blocks_[hasGroups() ? first_group_ : 0];
   MeanSeries series{block_time * static_cast<double>(first.blockLength()), {}};
   for (std::size_t s = 0; s < system_.scene().species.size(); ++s)
   {
     SpeciesSeries& species = series.species.emplace_back();
-    species.velocity = means_.blocks[s].blocks();
-    if (groups_.blocks.empty())
+    species.velocity = blocks_[s].blocks();
+    if (!hasGroups())
       continue;
     species.velocity.assign(first.blocks().size(), {});
     for (std::size_t g = 0; g < GROUPS; ++g)
     {
-      species.groups.push_back(groups_.blocks[s * GROUPS + g].blocks());
+      species.groups.push_back(blocks_[first_group_ + s * GROUPS + g].blocks());
       for (std::size_t k = 0; k < species.velocity.size(); ++k)
       {
         species.velocity[k].sum += species.groups[g][k].sum;
@@ -207,16 +177,19 @@ MeanSeries Averages::series(double block_time) const
 
 void Averages::archive(StateArchive& state)
 {
-  const std::size_t rows = groups_.blocks.size();
-  state(means_.gone, means_.at_block_end, means_.blocks);
-  state(groups_.gone, groups_.at_block_end, groups_.blocks);
-  if (groups_.blocks.empty() && rows > 0)
+  const std::size_t rows = species_of_.size();
+  state(gone_, at_block_end_, blocks_);
+  if (hasGroups() && blocks_.size() == first_group_)
     throw StateError("it lacks the series for the requested accuracy, which its own scene did not request");
-  if (rows == 0)
-    groups_.blocks.clear();
-  groups_.gone.resize(rows);
-  groups_.at_block_end.resize(rows);
-  if (groups_.blocks.size() != rows || !sameLengths(groups_.blocks))
+  const bool fits =
+      blocks_.size() >= rows && gone_.size() == blocks_.size() && at_block_end_.size() == blocks_.size();
+  gone_.resize(rows);
+  at_block_end_.resize(rows);
+  blocks_.resize(rows);
+  const auto as_long = [this](const BlockAverages& row)
+  { return row.blocks().size() == blocks_.back().blocks().size(); };
+  if (!fits || !std::all_of(blocks_.begin() + (layer_ ? 0 : static_cast<std::ptrdiff_t>(first_group_)),
+                            blocks_.end(), as_long))
     throw StateError("it is of another scene");
 }
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/results.h"
+#include "ratchet_sieve/statistics/block_averages.h"
 
 namespace ratchet_sieve
 {
@@ -34,7 +34,7 @@ public:
 
   /// Whether a series is recorded: always of a layer, whose disks move together; of independent disks if the
   /// scene requests an accuracy of <V_x>.
-  bool keepsSeries() const { return layer_ || !groups_.blocks.empty(); }
+  bool keepsSeries() const { return layer_ || hasGroups(); }
 
   /// @param block_time of the original blocks [s]
   MeanSeries series(double block_time) const;
@@ -43,7 +43,7 @@ public:
   void archive(StateArchive& state);
 
 private:
-  /// Sums over the trajectories of one species or size class.
+  /// Sums over the trajectories of one species, size class or group.
   struct Sums
   {
     double disks = 0.0;
@@ -59,41 +59,23 @@ private:
       state(disks, path, displacement_squared, displacement_time, time_squared, translation, rotation);
     }
 
-    operator const BlockSum&() const { return path; }
     SpeciesMeans means(const SpeciesDefinition& species) const;
   };
 
-  /// The growth of sums from block to block.
-  template <typename Sum>
-  struct Series
-  {
-    std::vector<Sum> gone;          ///< of disks removed by compaction
-    std::vector<Sum> at_block_end;  ///< at the end of the last block
-    std::vector<BlockAverages> blocks;
-
-    void begin(std::size_t rows)
-    {
-      gone.assign(rows, {});
-      at_block_end.assign(rows, {});
-      blocks.assign(rows, {});
-    }
-    void endBlock(std::vector<Sum>&& now);
-  };
-
-  /// Displacement and time of a disk's trajectory as far as it counts, up to `time` or until it left.
-  BlockSum path(std::uint32_t slot, double time) const;
+  bool hasGroups() const { return first_group_ < species_of_.size(); }
   void add(std::uint32_t slot, double time, std::vector<Sums>& sums) const;
-  void add(std::uint32_t slot, double time, std::vector<BlockSum>& groups) const;
-
-  template <typename Sum>
-  std::vector<Sum> sums(const Series<Sum>& series, double time) const;
+  std::vector<Sums> sums(double time) const;
   SpeciesMeans meansOf(std::size_t row, const std::vector<Sums>& sums) const;
 
   const SystemState& system_;
   bool layer_;                           ///< whether disks collide with each other
-  std::vector<std::size_t> species_of_;  ///< of each row: a species or a size class
-  Series<Sums> means_;                   ///< blocks of a layer only
-  Series<BlockSum> groups_;              ///< per group of a species; empty if none is requested
+  std::vector<std::size_t> species_of_;  ///< of each row: species, size classes, and groups if requested
+  std::size_t first_group_;              ///< its row
+  std::vector<Sums> gone_;               ///< of disks removed by compaction
+
+  // The series: of a layer, else of the groups.
+  std::vector<BlockSum> at_block_end_;  ///< at the end of the last block
+  std::vector<BlockAverages> blocks_;
 };
 
 }  // namespace ratchet_sieve

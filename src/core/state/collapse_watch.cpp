@@ -19,7 +19,7 @@ constexpr std::uint32_t HELPFUL_LEVEL = 6;
 }  // namespace
 
 CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale,
-                             std::vector<DiskRecord>& disks, const DiskIds& ids)
+                             SlotArray<DiskRecord>& disks, const DiskIds& ids)
     : contact_(contact),
       disks_(disks),
       ids_(ids),

@@ -32,7 +32,7 @@ public:
   /// @param time_scale of the machine [s]; @param speed_scale of a fall from a tooth's height [m/s]
   /// @param disks with their windows, by slot; @param ids for messages; both outlive this
   CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale,
-                std::vector<DiskRecord>& disks, const DiskIds& ids);
+                SlotArray<DiskRecord>& disks, const DiskIds& ids);
 
   /// Counts an event of a disk. @return whether it exceeds the limit; the disk is lossless from then on
   bool count(std::uint32_t slot, double time)
@@ -123,7 +123,7 @@ private:
   double floorOf(std::uint32_t level) const;
 
   ContactDefinition contact_;
-  std::vector<DiskRecord>& disks_;
+  SlotArray<DiskRecord>& disks_;
   const DiskIds& ids_;
   std::uint32_t limit_;
   double time_scale_;

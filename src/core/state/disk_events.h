@@ -49,8 +49,8 @@ inline Eigen::Vector2d impulseOf(const ContactOutcome& outcome)
 struct Flight
 {
   std::uint32_t slot;
-  const Disk& disk;  ///< as it flew
-  double end;        ///< [s]
+  Disk disk;   ///< as it flew
+  double end;  ///< [s]
 };
 
 /// A disk has left the system. Its last flight was observed before.

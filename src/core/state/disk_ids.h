@@ -12,8 +12,8 @@ namespace ratchet_sieve
 
 /// Keeps only the elements at these slots of an array, which become consecutive. @param slots in increasing
 /// order
-template <typename T>
-void keepSlots(std::vector<T>& array, const std::vector<std::uint32_t>& slots)
+template <typename Array>
+void keepSlots(Array& array, const std::vector<std::uint32_t>& slots)
 {
   for (std::size_t k = 0; k < slots.size(); ++k)
     array[k] = array[slots[k]];

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "model/disk.h"
+#include "model/slot_array.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve

@@ -1,23 +1,17 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "ratchet_sieve/core/flow_series.h"
-#include "ratchet_sieve/core/segregation.h"
 #include "state/observer.h"
 #include "state/thread_buffer.h"
 
 namespace ratchet_sieve
 {
 
-class Bins;
-class FaceCounts;
-class FlowBlocks;
+class SystemState;
 
 /// Tells the observers of a run of contacts, flights and departures, in the order of time: at once, or once
 /// those of independent disks can be put into it.
@@ -26,10 +20,9 @@ class EventLog
 public:
   /// @param system outlives this
   explicit EventLog(const SystemState& system);
-  ~EventLog();
 
   /// For a thread, if several advance disks at the same time.
-  ThreadBuffer buffer() const { return {bins().size(), wants(Observer::CONTACTS), wants(Observer::FLIGHTS)}; }
+  ThreadBuffer buffer() const { return {species_, wants(Observer::CONTACTS), wants(Observer::FLIGHTS)}; }
 
   /// A contact of approaching surfaces.
   void collided(const ContactOutcome& outcome)
@@ -39,10 +32,11 @@ public:
   }
 
   /// @param buffer of the thread, if several advance disks at the same time
-  [[gnu::always_inline]] void flew(const Flight& flight, ThreadBuffer* buffer)
+  [[gnu::always_inline]] void flew(std::uint32_t slot, const Disk& disk, double end, ThreadBuffer* buffer)
   {
     if (!wants(Observer::FLIGHTS))
       return;
+    const Flight flight{slot, disk, end};
     if (buffer != nullptr)
       buffer->flew(flight);
     else
@@ -87,15 +81,6 @@ public:
   }
   void observeExits(ExitObserver observer) { on_exit_ = std::move(observer); }
 
-  /// See Simulation. @param time the present time of the run [s]
-  void keepExits(double length, double time)
-  {
-    kept_length_ = length;
-    kept_from_ = time;
-    exits_.clear();
-  }
-  ExitWindow exitWindow(double time, double not_before) const;
-
   // See Observer.
   void entered(const Disk& disk, double time) { callAll(&Observer::entered, disk, time); }
   void restart(double time) { callAll(&Observer::restart, time); }
@@ -112,18 +97,6 @@ public:
 
   /// @throws StateError if the state is not of this number of slots
   void archive(StateArchive& state, std::size_t slots);
-
-  const std::vector<SpeciesBins>& bins() const;
-  std::vector<SpeciesBins>& sizeClassBins();
-
-  /// See FlowBlocks::series().
-  FlowSeries flowSeries(double start, double block_time) const;
-
-  /// Of a profile; empty for a sawtooth.
-  FaceContacts faceContacts() const;
-
-  /// What the scene asks for, until `time`; before the end of `settle` as if nothing had happened yet.
-  std::vector<Observed> observed(double time, bool settled) const;
 
 private:
   template <typename Hook, typename... Values>
@@ -151,22 +124,12 @@ private:
 
   const SystemState& system_;
   bool ordered_;  ///< whether disks are independent
+  std::size_t species_;
   std::vector<std::unique_ptr<Observer>> observers_;
   unsigned subscriptions_ = 0;  ///< of all observers and of the callers
   std::vector<PendingReport> pending_;
   CollisionObserver on_collision_;
   ExitObserver on_exit_;
-
-  // Of the observers.
-  Bins* bins_;
-  std::vector<const Observable*> observables_;  ///< in the order of the scene
-  const FaceCounts* faces_ = nullptr;           ///< of a profile
-  const FlowBlocks* flow_ = nullptr;            ///< where disks are fed and can leave
-
-  // See keepExits().
-  double kept_length_ = 0.0;                                     ///< [s]
-  double kept_from_ = -std::numeric_limits<double>::infinity();  ///< in the run's time [s]
-  std::deque<std::pair<double, Departure>> exits_;               ///< in the order of time: the run's [s]
 };
 
 }  // namespace ratchet_sieve

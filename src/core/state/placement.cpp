@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "ratchet_sieve/geometry/pour.h"
+#include "ratchet_sieve/geometry/size_levels.h"
 #include "search/cell_grid.h"
-#include "search/size_levels.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -117,10 +118,9 @@ std::vector<Poured> findRoom(const SystemState& system, const std::vector<std::u
 {
   const SceneDefinition& scene = system.scene();
   const FrameOfBase base = system.motion().at(time);
-  BaseDefinition shape = scene.base;
-  shape.amplitude = system.motion().displacementBound().norm();
-  Pour pour(shape, scene.boundary, stretch, scene.pour.drop_height, system.largestDiameter(),
-            scene.contact.pair_collisions);
+  Pour pour({scene.base.width(), scene.boundary == Boundary::PERIODIC, stretch.from, stretch.to,
+             scene.base.highest() + system.motion().displacementBound().norm() + scene.pour.drop_height},
+            system.largestDiameter(), scene.contact.pair_collisions);
   for (const std::uint32_t slot : system.slots(true))
     pour.occupy(placed(system, slot, base, time));
   std::vector<Poured> poured;
@@ -129,7 +129,7 @@ std::vector<Poured> findRoom(const SystemState& system, const std::vector<std::u
   {
     const double radius =
         own != nullptr ? own->radius : system.sizes(kind).draw([&random] { return random.uniform(); });
-    poured.push_back({pour.place(radius, random), kind});
+    poured.push_back({pour.place(radius, random.uniform()), kind});
     if (observer && poured.size() % DISKS_PER_LOOK == 0)
       observer(poured.size(), species.size());
   }
@@ -209,41 +209,6 @@ Audit audit(const SystemState& system, double time)
                     [&](std::uint32_t, std::uint32_t, double overlap)
                     { result.largest_overlap = std::max(result.largest_overlap, overlap); });
   return result;
-}
-
-Pour::Pour(const BaseDefinition& base, Boundary boundary, const Stretch& stretch, double drop_height,
-           double largest_diameter, bool see_each_other)
-    : stretch_(stretch),
-      width_(base.width()),
-      lowest_underside_(base.highest() + base.amplitude + drop_height),
-      periodic_(boundary == Boundary::PERIODIC),
-      see_each_other_(see_each_other),
-      standing_(width_, periodic_, largest_diameter, memory_)
-{
-}
-
-PlacedDisk Pour::place(double radius, Random& random)
-{
-  PlacedDisk disk;
-  disk.radius = radius;
-  const double margin = periodic_ ? 0.0 : radius;
-  // A stretch beside an end is cut to where the disk has room.
-  const double left = std::clamp(stretch_.from, margin, std::max(margin, width_ - margin));
-  const double right = std::max(width_ - stretch_.to, margin);
-  disk.s = left + random.uniform() * std::max(0.0, width_ - (left + right));
-  const double lowest = lowest_underside_ + radius;
-  disk.n = see_each_other_ ? searchFor(radius).lowestFree(disk.s, radius, lowest, standing_) : lowest;
-  occupy(disk);
-  return disk;
-}
-
-RoomSearch& Pour::searchFor(double radius)
-{
-  for (RoomSearch& search : searches_)
-    if (search.serves(radius))
-      return search;
-  searches_.emplace_back(lowest_underside_ + radius, radius, standing_.columnWidth(), memory_);
-  return searches_.back();
 }
 
 std::vector<std::uint32_t> pourOrder(const std::vector<SpeciesDefinition>& species, Random& random)

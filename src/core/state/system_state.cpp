@@ -7,7 +7,7 @@
 
 #include "ratchet_sieve/core/disks_of_scene.h"
 #include "ratchet_sieve/core/resolution.h"
-#include "search/size_levels.h"
+#include "ratchet_sieve/geometry/size_levels.h"
 
 namespace ratchet_sieve
 {
@@ -79,8 +79,6 @@ SystemState::SystemState(const SceneDefinition& scene)
       epoch_{0.0, std::min(epochLength(time_scale_),
                            longestFall(scene.gravity, ratchet_sieve::smallestRadius(scene)))},
       motion_(scene.base, 2.0 * lattice_turn_),
-      search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length)),
-      pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), records_, ids_),
       sums_{ContactSums(scene.species.size()), Averages(*this), EnergyWatch(*this)},
       log_(*this)
@@ -91,27 +89,6 @@ double SystemState::latticeMargin() const
 {
   return wideSizes() ? LATTICE_MARGIN_OF_WIDE * lattice_diameter_
                      : shape_.width() * (1.0 - std::cos(lattice_turn_));
-}
-
-/// From the length of the epoch.
-void SystemState::setTimeResolution()
-{
-  pair_scene_.time_resolution = timeResolution(epoch_.length);
-  search_.setTimeResolution(pair_scene_.time_resolution);
-}
-
-BaseEvent SystemState::nextBaseEvent(std::uint32_t slot, const Kinematics& from, double until,
-                                     BaseInstant& base) const
-{
-  // Without gravity there may be no event for very long; one epoch at a time is enough.
-  double end = std::min(until, from.time + epoch_.length);
-  const auto change = motion_.nextChange();
-  if (change)
-    end = std::min(end, *change);
-  BaseEvent event = search_.find(disks_[slot], from, end, base);
-  if (!event.feature && change && event.time >= *change)
-    event.time = std::numeric_limits<double>::infinity();
-  return event;
 }
 
 void SystemState::reserve(std::size_t count)
@@ -188,7 +165,7 @@ void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, Th
   if (scene_.boundary == Boundary::PERIODIC)
     return wrap(slot, to_the_right ? -1.0 : 1.0, time, buffer);
   Disk& disk = disks_[slot];
-  log_.flew({slot, disk, time}, buffer);
+  log_.flew(slot, disk, time, buffer);
   disk.position = positionAt(disk, time, scene_.gravity);
   disk.countEvent();
   DiskRecord& record = records_[slot];
@@ -250,7 +227,7 @@ void SystemState::wrapAll(double time)
   base.inclination_rate = 0.0;
   for (const std::uint32_t slot : slots(true))
   {
-    const double s = search_.seenFromBase(disks_[slot], base, time).s();
+    const double s = base.see(flown(slot, time)).s();
     if (const double widths = widthsOutside(s); widths != 0.0)
       moveTo(slot, base.image(-widths * shape_.width()), time, nullptr);
   }
@@ -258,12 +235,10 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, records_, active_count_, impulse_of_gone_, ids_, log_.sizeClassBins(),
-        collapse_watch_);
-  setTimeResolution();
+  state(epoch_, motion_, disks_, records_, active_count_, impulse_of_gone_, ids_, collapse_watch_);
   const std::size_t count = disks_.size();
   const bool of_this_scene =
-      log_.sizeClassBins().size() == size_classes_.size() && records_.size() == count && ids_.fits(count) &&
+      records_.size() == count && ids_.fits(count) &&
       std::all_of(disks_.begin(), disks_.end(),
                   [this](const Disk& disk) { return disk.species < scene_.species.size(); });
   if (!of_this_scene)
@@ -292,7 +267,6 @@ double SystemState::shortenEpoch(double now)
   if (longest >= epoch_.length)
     return 0.0;
   epoch_.length = longest;
-  setTimeResolution();
   return epoch_.length * std::floor(now / epoch_.length);
 }
 

@@ -8,11 +8,9 @@
 #include "model/base_shape.h"
 #include "model/disk.h"
 #include "ratchet_sieve/core/plan.h"
-#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/core/state_archive.h"
-#include "search/contact_search.h"
-#include "search/pair_search.h"
+#include "ratchet_sieve/statistics/segregation.h"
 #include "state/collapse_watch.h"
 #include "state/disk_ids.h"
 #include "state/disk_record.h"
@@ -58,8 +56,6 @@ public:
     if (motion_.turning() && !turned)
       wrapAll(time);
   }
-  const ContactSearch& search() const { return search_; }
-  const PairScene& pairScene() const { return pair_scene_; }
   const Epoch& epoch() const { return epoch_; }
 
   /// See ratchet_sieve::timeScale().
@@ -84,7 +80,7 @@ public:
   /// The class of a disk; the number of classes if its species has no sizes.
   std::size_t sizeClassOf(const Disk& disk) const;
 
-  const std::vector<Disk>& disks() const { return disks_; }
+  const SlotArray<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
   double radius(std::uint32_t slot) const { return disks_[slot].radius; }
   const DiskRecord& record(std::uint32_t slot) const { return records_[slot]; }
@@ -113,18 +109,13 @@ public:
     return scene_.boundary == Boundary::PERIODIC ? wholeWidths(s, 1.0 / shape_.width()) : 0.0;
   }
 
-  /// The disk's first event with the base, searched from `from` and only as far as needed to find all before
-  /// `until`. At infinity if there is none before the base's motion changes, because everything is predicted
-  /// anew then.
-  BaseEvent nextBaseEvent(std::uint32_t slot, const Kinematics& from, double until, BaseInstant& base) const;
-
   Kinematics flown(std::uint32_t slot, double time) const
   {
     return kinematicsAt(disks_[slot], time, scene_.gravity);
   }
 
   /// The image `shift` widths to the right, relative to the disk itself, at `time`.
-  Image image(double shift, double time) const { return pair_scene_.image(shift, time); }
+  Image image(double shift, double time) const { return motion_.image(shift * shape_.width(), time); }
 
   /// Allocates memory for this number of disks.
   void reserve(std::size_t count);
@@ -155,7 +146,7 @@ public:
                                        ThreadBuffer* buffer = nullptr)
   {
     Disk& disk = disks_[slot];
-    log_.flew({slot, disk, time}, buffer);
+    log_.flew(slot, disk, time, buffer);
     const Two velocity = twoOf(disk.velocity);
     const double spin = disk.spin;
     disk.redirect(turn.way, turn.velocity, time);
@@ -186,8 +177,8 @@ public:
   /// What events without a collapse change of the disks, until their ThreadBuffer is merged.
   struct Snapshot
   {
-    std::vector<Disk> disks;
-    std::vector<DiskRecord> records;
+    SlotArray<Disk> disks;
+    SlotArray<DiskRecord> records;
   };
   void copyTo(Snapshot& snapshot) const
   {
@@ -243,7 +234,6 @@ public:
   void archive(StateArchive& state);
 
 private:
-  void setTimeResolution();
   void wrapAll(double time);
   void moveTo(std::uint32_t slot, const Image& image, double time, ThreadBuffer* buffer);
 
@@ -258,15 +248,13 @@ private:
   double time_scale_;
   Epoch epoch_;
   BaseMotion motion_;
-  ContactSearch search_;
 
-  std::vector<Disk> disks_;
-  std::vector<DiskRecord> records_;  ///< by slot, as the disks
+  SlotArray<Disk> disks_;
+  SlotArray<DiskRecord> records_;  ///< by slot, as the disks
   Eigen::Vector2d impulse_of_gone_ =
       Eigen::Vector2d::Zero();  ///< of the base to disks removed by compaction [N s]
   std::size_t active_count_ = 0;
   DiskIds ids_;
-  PairScene pair_scene_;  ///< of the members above
   CollapseWatch collapse_watch_;
   RunSums sums_;
   EventLog log_;

@@ -15,16 +15,6 @@
 namespace ratchet_sieve
 {
 
-/// A Flight with its disk.
-struct KeptFlight
-{
-  Disk disk;
-  double end;
-  std::uint32_t slot;
-
-  operator Flight() const { return {slot, disk, end}; }
-};
-
 /// Something that observers are told of, kept until it is its turn: disks that are independent are not
 /// simulated in the order of time. So what an observer adds up does not depend on the number of threads.
 struct PendingReport
@@ -33,10 +23,7 @@ struct PendingReport
       : time(outcome.time), event_slot(outcome.i), what(outcome)
   {
   }
-  explicit PendingReport(const Flight& flight)
-      : time(flight.end), event_slot(flight.slot), what(KeptFlight{flight.disk, flight.end, flight.slot})
-  {
-  }
+  explicit PendingReport(const Flight& flight) : time(flight.end), event_slot(flight.slot), what(flight) {}
   explicit PendingReport(const Departure& departure)
       : time(departure.time), event_slot(departure.slot), what(departure)
   {
@@ -44,7 +31,7 @@ struct PendingReport
 
   double time;               ///< local to the epoch [s]
   std::uint32_t event_slot;  ///< of the disk whose event it was: breaks ties
-  std::variant<ContactOutcome, KeptFlight, Departure> what;
+  std::variant<ContactOutcome, Flight, Departure> what;
 };
 
 /// What one thread has observed while several advance disks at the same time: sums over contacts, and what

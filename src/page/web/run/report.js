@@ -58,7 +58,7 @@ class Report {
     fillTable(byId('results'), columns.map(([name]) => name),
       results.species.map((species, k) => columns.map(([, cell]) => cell(species, k))));
     const whole = [['Q', ratio(results.quality)], ['P', ratio(results.processed)],
-      ['short to long slope', ratio(results.short_to_long)], ['largest overlap', quantity(results.max_overlap, 'm')]];
+      ...this.steadyRows(), ['short to long slope', ratio(results.short_to_long)], ['largest overlap', quantity(results.max_overlap, 'm')]];
     if (results.collisions)
       whole.push(['contacts', Object.entries(results.collisions)
         .map(([kind, count]) => `${kind.replace('_', ' ')} ${count}`).join(', ')]);
@@ -68,10 +68,20 @@ class Report {
     this.showObserved();
   }
 
+  /** What a machine with a feed does once it has filled. */
+  steadyRows() {
+    const {steady, steady_reason: reason} = this.results;
+    if (!steady) return reason && !reason.startsWith('no ') ? [['once filled', reason]] : [];
+    const {from, separation, throughput, inside} = steady;
+    const text = (estimate, unit) => withError(estimate && estimate.value, estimate && estimate.half_width, unit);
+    return [['once filled', `from ${seconds(from)}`], ['s once filled', text(separation, '')],
+      ['throughput once filled', text(throughput.number, '1/s')], ['disks inside', text(inside, '')]];
+  }
+
   /** What the scene observes: whatever is not shown above. */
   showObserved() {
     const shown = new Set(['scene_hash', 'seed', 'version', 'plan', 'start_time', 'first_frame_time', 'simulated_time', 'particle_frames',
-      'not_recorded', 'species', 'quality', 'processed', 'purity', 'recovery', 'collisions', 'max_overlap', 'short_to_long']);
+      'not_recorded', 'species', 'quality', 'processed', 'purity', 'recovery', 'collisions', 'max_overlap', 'short_to_long', 'steady_reason']);
     for (const name of ['separation', 'separation_by_mass']) shown.add(name);
     for (const [name, value] of Object.entries(this.results)) {
       if (shown.has(name)) continue;

@@ -124,7 +124,7 @@ class SweepCurves {
 
   /** Hollow where Q is not comparable, a star where it is best. */
   drawPoint(ctx, left, top, place, colour, pixels) {
-    const isBest = this.report.fields[this.field].name === 'quality' && this.report.isBest(place);
+    const isBest = this.report.isQuality(this.field) && this.report.isBest(place);
     ctx.fillStyle = this.report.isDoubtful(place, this.field) ? themeColour('--ground') : colour;
     if (isBest) return this.drawText(ctx, '\u2605\ufe0e', left, top, 22 * pixels, 'center');
     ctx.beginPath();

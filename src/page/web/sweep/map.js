@@ -108,7 +108,7 @@ class SweepMap {
     this.field = field;
     const means = report.meansOf(field);
     this.scale = means.length ? new ColourScale(means.map((mean) => mean.value)) : null;
-    const isQuality = report.fields[field].name === 'quality';
+    const isQuality = report.isQuality(field);
     for (const [cell, place] of this.places) {
       const mean = place.means[field];
       cell.style.backgroundColor = mean ? this.scale.colourOf(mean.value) : '';

@@ -25,9 +25,14 @@ class SweepReport {
     return this.data.best !== null && place.x === this.data.best.x && place.y === this.data.best.y;
   }
 
+  /** Whether a field is Q, since the start or of the filled machine. */
+  isQuality(field) {
+    return ['quality', 'steady.quality.value'].includes(this.fields[field].name);
+  }
+
   /** Whether a field of a place is Q of too few disks. */
   isDoubtful(place, field) {
-    return this.fields[field].name === 'quality' && place.means[field] !== null && !place.comparable;
+    return this.isQuality(field) && place.means[field] !== null && !place.comparable;
   }
 
   /** All defined means of a field, with their errors. */

@@ -87,7 +87,7 @@ class MeansTable {
 
   mean(place, k) {
     const {report} = this;
-    const star = report.fields[k].name === 'quality' && report.isBest(place) ? '\u2605\u00a0' : '';
+    const star = report.isQuality(k) && report.isBest(place) ? '\u2605\u00a0' : '';
     const mean = place.means[k];
     const text = star + (mean ? withError(mean.value, mean.error, '') : UNDEFINED);
     return report.isDoubtful(place, k) ? element('span', {class: 'not-comparable', title: 'Q not comparable'}, `(${text})`) : text;

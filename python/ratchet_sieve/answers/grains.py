@@ -1,0 +1,132 @@
+"""What a calibration found: coefficients of grains, or of the machine, with which the feeder does what was measured."""
+from __future__ import annotations
+
+import dataclasses
+import functools
+import itertools
+from typing import Any, Optional
+
+import numpy as np
+import pandas
+
+from ratchet_sieve.answers.answer import Interval
+from ratchet_sieve.answers.proposal import text_of
+from ratchet_sieve.answers.unknown import Unknown
+from ratchet_sieve.texts import counted
+from ratchet_sieve.values import Values
+
+LEVEL = 0.95
+TOGETHER = 0.7  # a correlation, above which two keys are known together only
+LITTLE = 0.8    # of an interval over what was known before: nothing was learned
+
+
+@dataclasses.dataclass(repr=False)
+class Grains:
+    """Coefficients with which measured and computed agree. grains[KEY] is an Interval, .value and .half_width at 95 %
+    (None where they do not agree). Goes where a scene goes; separate() averages over what is left unknown.
+
+    keys         that were unknown
+    agrees       whether any coefficients explain the measurements
+    chi_squared  of the measured numbers, at the best coefficients
+    table        DataFrame: of each measured number its row, what it is, as measured with its standard error, and as
+                 computed with the surface's, and its part of chi_squared
+    draws        (n, keys): values, each row as likely as another
+    added        what the surfaces add to the errors of the measurements at most, as a share of these
+    next_measurement  the setting that would narrow the intervals most: .setting, and .errors, of each key over what it
+                 is now; None where `over` was not given, or nothing agrees
+    cost         runs, simulated [s], processor [s] and seconds [s of wall time]
+    """
+
+    base: Any
+    prior: Unknown
+    keys: list
+    draws: np.ndarray
+    best: np.ndarray
+    settings: list
+    table: pandas.DataFrame
+    chi_squared: float
+    agrees: bool
+    added: float
+    cost: Values
+    next_measurement: Optional[Values] = None
+
+    def __getitem__(self, key: str) -> Interval:
+        """Raises KeyError."""
+        if key not in self.keys:
+            raise KeyError(key)
+        k = self.keys.index(key)
+        if not self.agrees:
+            return Interval(float(self.best[k]), None, 0)
+        return _interval(self.draws[:, k])
+
+    @functools.cached_property
+    def scene(self) -> Any:
+        """With the mean of each key; where nothing agrees with the best one."""
+        return self.base.replace(self.unknown.middle if self.agrees else self.prior.settings(self.best))
+
+    @property
+    def unknown(self) -> Unknown:
+        """What is left unknown. Raises ValueError where nothing agrees."""
+        if not self.agrees:
+            raise ValueError(f"grains: {self._agreement()}: nothing can be computed from them")
+        return Unknown(self.keys, self.draws)
+
+    @property
+    def correlations(self) -> pandas.DataFrame:
+        return pandas.DataFrame(self.draws, columns=self.keys).corr()
+
+    def __str__(self) -> str:
+        lines = []
+        for k, key in enumerate(self.keys if self.agrees else ()):
+            before = _interval(self.prior.table[:, k])
+            lines.append(f"{key} {self[key]} (95 %)" + (
+                ", hardly more than was known before" if self[key].half_width > LITTLE * before.half_width else ""))
+        lines += self._together() if self.agrees else []
+        lines.append(self._agreement())
+        if self.next_measurement:
+            lines.append(text_of(self.next_measurement))
+        lines.append(f"cost: {counted(self.cost.runs, 'run')}, {self.cost.simulated:.4g} s simulated, "
+                     f"{self.cost.processor:.3g} s of processor time")
+        return "\n".join(lines)
+
+    __repr__ = __str__
+
+    def _agreement(self) -> str:
+        found = f"χ² = {self.chi_squared:.3g} of {counted(len(self.table), 'number')}"
+        if self.agrees:
+            return f"measured and computed agree: {found}"
+        worst = self.table.loc[self.table.chi_squared.idxmax()]
+        at = ", ".join(f"{key} = {value}" for key, value in self.settings[worst.row - 1].items())
+        return f"measured and computed do not agree: {found}; worst: {worst.number} at {at or 'row 1'}"
+
+    def _together(self) -> list[str]:
+        """Of pairs that are known together only, what is known of both."""
+        found = []
+        for (i, first), (j, second) in itertools.combinations(enumerate(self.keys), 2):
+            x, y = self.draws[:, i], self.draws[:, j]
+            correlation = np.corrcoef(x, y)[0, 1]
+            if abs(correlation) > TOGETHER:
+                slope = np.copysign(x.std() / y.std(), correlation)
+                sign = "−" if slope > 0.0 else "+"
+                found.append(f"{first} and {second} cannot be told apart by these measurements: of both only {first} "
+                             f"{sign} {abs(slope):.2g} {second} = {_interval(x - slope * y)}")
+        return found
+
+    def plot(self) -> Any:
+        """Draws pairs of keys, and measured beside computed. Returns matplotlib's figure."""
+        from ratchet_sieve.plots.grains import draw
+
+        return draw(self)
+
+    def as_json(self) -> dict:
+        """As `sieve_calibrate --json` writes it; what is undefined is None."""
+        return {"grains": {key: dataclasses.asdict(self[key]) for key in self.keys}, "agrees": self.agrees,
+                "chi_squared": self.chi_squared, "numbers": len(self.table), "cost": self.cost,
+                "correlations": self.correlations.to_dict() if self.agrees else None,
+                "next_measurement": self.next_measurement, "measured": self.table.to_dict("records")}
+
+
+def _interval(values: np.ndarray) -> Interval:
+    """The mean, and the half width of what is as wide around it and holds 95 %."""
+    mean = float(values.mean())
+    return Interval(mean, float(np.quantile(np.abs(values - mean), LEVEL)), len(values))

@@ -1,0 +1,129 @@
+"""calibrate(): what was measured, and which coefficients explain it."""
+import dataclasses
+import json
+import subprocess
+
+import numpy as np
+import pytest
+
+import ratchet_sieve as rs
+from conftest import program
+from feeder import THETA
+from ratchet_sieve.answers.measured import Measured
+
+E, MU = "species.0.restitution", "species.0.friction"
+SCENE = {"base": {"teeth": 8, "frequency": 20.0}, "boundary": "open", "feed": {"rate": 40.0}, "duration": 4.0,
+         "species": [{"name": "A", "radius": 0.0015, "density": 2500, "restitution": 0.5, "friction": 0.3}]}
+UNKNOWN = {E: (0.4, 0.99)}
+TRUTH = 0.9
+ROW = {THETA: 0.1, "left.A": 30, "right.A": 50, "on_base.A": 20}
+
+
+@pytest.fixture(scope="module")
+def rows():
+    """Counted at a feeder of the true restitution."""
+    table = rs.sweep(rs.Scene(SCENE, {E: TRUTH, "duration": 8.0}), {THETA: [0.0, 0.2]}, seeds=[10 ** 9],
+                     progress=False)
+    return [{THETA: row[THETA], "duration": 8.0, "left.A": int(row["left.A"]), "right.A": int(row["right.A"]),
+             "on_base.A": int(row["count.A"] - row["left.A"] - row["right.A"])} for _, row in table.iterrows()]
+
+
+@pytest.fixture(scope="module")
+def grains(rows):
+    return rs.calibrate(SCENE, UNKNOWN, rows, over={THETA: (0.0, 0.3)}, progress=False)
+
+
+def test_finds_the_coefficients_of_the_feeder(grains):
+    found = grains[E]
+    assert grains.agrees and grains.added < 0.5
+    assert abs(found.value - TRUTH) < 1.5 * found.half_width and 0.0 < found.half_width < 0.1
+    assert f"{E} {found} (95 %)" in str(grains) and "measured and computed agree" in str(grains)
+
+
+def test_proposes_what_to_measure_next(grains):
+    following = grains.next_measurement
+    assert set(following.setting) == {THETA} and 0.0 <= following.setting[THETA] <= 0.3
+    assert 0.0 < following.errors[E] < 1.0 and "measure next" in str(grains)
+
+
+def test_goes_where_a_scene_goes(grains):
+    assert rs.run(grains, progress=False).scene[E] == pytest.approx(grains[E].value, abs=1e-4)
+    table = rs.sweep(grains, {THETA: [0.1]}, seeds=8, unknown=grains.unknown, progress=False)
+    assert len(set(table[E])) == 8 and (table[E] - grains[E].value).abs().max() < 0.2
+
+
+def test_is_drawn_and_written(grains, tmp_path):
+    axes = grains.plot()
+    assert len(axes.figure.axes) == 2 and len(axes.get_yticks()) == 4
+    written = json.loads(json.dumps(grains.as_json()))
+    assert written["grains"][E]["value"] == grains[E].value and written["numbers"] == 4
+
+
+def test_threads_and_a_file_of_runs_change_nothing(grains, rows, tmp_path):
+    file = tmp_path / "rows.csv"
+    names = list(rows[0])
+    file.write_text("\n".join([",".join(names), *(",".join(str(row[name]) for name in names) for row in rows)]) + "\n")
+    again = rs.calibrate(SCENE, UNKNOWN, file, threads=1, results=tmp_path / "runs.db", progress=False)
+    assert (again.draws == grains.draws).all()
+
+
+def test_what_no_coefficients_explain_is_refused(rows):
+    wrong = [{**rows[0], "left.A": rows[0]["right.A"], "right.A": rows[0]["left.A"]}, rows[1]]
+    found = rs.calibrate(SCENE, UNKNOWN, wrong, progress=False)
+    assert not found.agrees and found[E].half_width is None
+    assert "do not agree" in str(found) and "worst: the share of A that left to the left at base.inclination = 0" in \
+        str(found)
+    with pytest.raises(ValueError, match="do not agree"):
+        found.unknown
+
+
+@pytest.mark.parametrize("measured, line", (
+    ([], "measured: must have a row or more"),
+    (3, "measured = 3: must be the path of a CSV file or a bag"),
+    ([3], "measured[0] = 3: must be a mapping"),
+    ([{THETA: 0.1}], "measured, row 1: nothing was measured: give counts, such as left.A, right.A"),
+    ([{**ROW, "left.A": -1}], "measured, row 1: left.A = -1: must be 0 or more"),
+    ([ROW, {"left.A": 1}], "measured, row 2: left.A and right.A must be given, both"),
+    ([{"left.A": 0, "right.A": 0}], "measured, row 1: no A was counted"),
+    ([{"left.B": 1, "right.B": 1}], "measured, row 1: left.B: there is no such species; there are A"),
+    ([{**ROW, "mean_vx.A": "x"}], "measured, row 1: mean_vx.A = 'x': must be a finite number"),
+    ([{**ROW, "base.inclinatoin": 1}], "measured, row 1: neither a number of results nor a setting: "),
+    ([{**ROW, "seed": 1}], "measured, row 1: seed: a measurement has none"),
+    ([{**ROW, E: 0.9}], f"measured, row 1: {E} is set, but it is unknown"),
+))
+def test_what_was_measured_is_refused_in_one_line(measured, line):
+    with pytest.raises(ValueError) as error:
+        rs.calibrate(SCENE, UNKNOWN, measured)
+    assert str(error.value).startswith(line)
+
+
+def test_counts_are_shares_and_numbers_have_their_errors():
+    data = Measured(rs.Scene(SCENE), [{**ROW, "mean_vx.A": 0.05, "mean_vx_stderr.A": 0.01, "kinetic_rotational.A": 2.0,
+                                       "kinetic_rotational.A.stderr": 0.5}], [E])
+    left, deck, speed, energy = data.numbers
+    assert (left.value, deck.value) == (30 / 80, 20 / 100) and left.grains == 80
+    assert left.variance == pytest.approx(0.375 * 0.625 / 80, rel=0.01)
+    assert (speed.value, speed.variance, energy.variance) == (0.05, 1e-4, 0.25)
+    assert data.settings == [{THETA: 0.1}] and "the share of A still on the deck" in data.lines()[0]
+
+
+def test_a_bag_has_its_last_counts(tmp_path):
+    pytest.importorskip("rosbag")
+    scene = rs.Scene(SCENE)
+    (tmp_path / "scene.yaml").write_text(scene.yaml, encoding="utf-8")
+    run = subprocess.run([program("sieve_run"), "scene.yaml", "--bag", "run.bag", "--summary", "run.json"],
+                         cwd=tmp_path, capture_output=True, text=True)
+    if "this build has none" in run.stderr:
+        pytest.skip("built without ROS")
+    species = json.loads((tmp_path / "run.json").read_text())["species"][0]
+    data = Measured(scene, tmp_path / "run.bag", [E, "base.amplitude"])
+    assert data.settings == [{"duration": 4.0, THETA: 0.0, "base.frequency": 20.0}]
+    assert data.numbers[0].value == species["left"] / (species["left"] + species["right"])
+    assert data.numbers[1].grains == species["count"]
+
+
+def test_two_that_count_alike_cannot_be_told_apart(grains):
+    both = np.random.default_rng(1).normal(size=500)
+    pair = dataclasses.replace(grains, keys=[E, MU], draws=np.column_stack([0.8 + 0.05 * both, 0.3 - 0.1 * both]))
+    assert f"{E} and {MU} cannot be told apart by these measurements: of both only {E} + 0.5 {MU} = 0.95" in \
+        pair._together()[0]
