@@ -131,7 +131,7 @@ class LivePage extends MachinePage {
   show() {
     super.show();
     if (!this.run) return;
-    this.panel.show(this.run.readings, this.schedule, this.run.motion.ids.length, this.player.factor);
+    this.panel.show(this.run.readings, this.schedule, this.run.motion.ids.length, this.player.playing ? this.player.factor : null);
     this.panel.say(this.error, this.run.readings);
     this.beside.draw();
     if (!this.player.playing) this.showProgram();
