@@ -9,13 +9,13 @@ from ratchet_sieve.answers.answer import Answer, Interval
 from ratchet_sieve.answers.cost import announce, duration, fills, idle_text, lift_off_text, whys
 from ratchet_sieve.answers.machine import LEAST_WORKING, flow_of
 from ratchet_sieve.answers.intervals import interval_of, products_of
-from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z, usual_length
+from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
 from ratchet_sieve.texts import at_most, counted
 from ratchet_sieve.values import Values
 
 FRESH = 12          # runs of the best setting; then half as many at a time
 MOST_FRESH = 192
-LONG_ENOUGH = 12.0  # mean times in the machine that such a run of a fed machine lasts at least
+LONG_ENOUGH = 8.0   # mean times in the machine that such a run of a fed machine lasts at least
 EXPECTED = 2.4      # half the width of the interval that is aimed at, in standard errors
 MOST_DOUBLINGS = 4  # of the first runs of a fed machine that have not settled
 FEWER_FRESH = (FRESH, 8, 6, 4)  # of them, as the budget has it
@@ -43,7 +43,9 @@ def answer_of(search, budget, bar):
         _first_runs(search, bar)
         while True:
             _search(search, bar, announced)
-            late = search.is_late()
+            late = search.is_cut_short = search.is_late()
+            if late:
+                search.assess()
             search.deadline = budget.end
             if search.nowhere() or _fresh_runs(search, bar, fresh, notes):
                 break
@@ -64,6 +66,7 @@ def answer_of(search, budget, bar):
 
 def _interrupted(search, bar, fresh, begin):
     """One short round of fresh runs, which a second interrupt ends. Raises KeyboardInterrupt where nothing is known."""
+    search.is_cut_short = True
     if not search.assess(best=search.best if len(fresh.rows) else None):
         raise KeyboardInterrupt
     if len(fresh.rows) >= FRESH:
@@ -125,8 +128,6 @@ def _first_runs(search, bar):
             search.measure(first[k:k + BATCH], units[k:k + BATCH])
             if search.is_late():
                 break
-            if doublings == 0:  # the others need not begin with runs that are too short
-                units = np.maximum(units, usual_length(search.machine, search.runs))
         doublings += 1
         first, units = search.unsettled() if len(search.runs) else (first, units)
 
