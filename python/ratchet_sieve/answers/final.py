@@ -15,7 +15,7 @@ from ratchet_sieve.values import Values
 
 FRESH = 12          # runs of the best setting; then half as many at a time
 MOST_FRESH = 192
-LONG_ENOUGH = 8.0   # mean times in the machine that such a run of a fed machine lasts at least
+LONG_ENOUGH = 12.0  # mean times in the machine that such a run of a fed machine lasts at least
 EXPECTED = 2.4      # half the width of the interval that is aimed at, in standard errors
 MOST_DOUBLINGS = 4  # of the first runs of a fed machine that have not settled
 FEWER_FRESH = (FRESH, 8, 6, 4)  # of them, as the budget has it
