@@ -7,9 +7,9 @@ import pandas
 from ratchet_sieve import stats
 from ratchet_sieve.answers.answer import Answer, Interval
 from ratchet_sieve.answers.cost import announce, duration, fills, idle_text, lift_off_text, whys
-from ratchet_sieve.answers.machine import LEAST_WORKING, flow_of
 from ratchet_sieve.answers.depends import PART, Dependence, known_text, screening
 from ratchet_sieve.answers.intervals import interval_of, products_of
+from ratchet_sieve.answers.machine import LEAST_WORKING, flow_of
 from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
 from ratchet_sieve.texts import at_most, counted
 from ratchet_sieve.values import Values
