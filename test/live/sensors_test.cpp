@@ -246,7 +246,7 @@ TEST(PlantReader, saysWhatIsAllowed)
   EXPECT_EQ(sensors("{count: {rate: fast}}"),
             "parameter /sieve:1: count.rate = fast: must be a number from 0.001 to 1000 Hz");
   EXPECT_EQ(sensors("{level: {from: 1, to: 0}}"), "parameter /sieve:1: level.to = 0: must be at least from");
-  EXPECT_EQ(sensors("7"), "parameter /sieve:1: sensors = 7: must be a map");
+  EXPECT_EQ(sensors("7"), "parameter /sieve: sensors = 7: must be a map");
   EXPECT_EQ(drives("{frequency: {dead_time: -1}}"),
             "parameter /sieve:1: frequency.dead_time = -1: must be a number from 0 to 3600 s");
   EXPECT_EQ(drives("{amplitude: {over_frequency: [[20, 1], [20, 2]]}}"),
