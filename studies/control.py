@@ -109,7 +109,9 @@ def main():
                                                                 "sieves"])
     table.to_csv(options.out / "data/control.csv", index=False, float_format="%.4g")
     plots.save(draw(table), options.out / "images/control.png", svg=False, bbox_inches="tight")
-    documents.put(page, MARK, wrapped(f"Means of {options.sieves} seeds, errors by a bootstrap. {origin.text()}."))
+    about = wrapped(f"[control.csv](data/control.csv): means of {options.sieves} seeds, errors by a bootstrap. "
+                    f"{origin.text()}.")
+    documents.put(page, MARK, f"![Overshoot and time to settle over the delay](images/control.png)\n\n{about}")
 
 
 if __name__ == "__main__":

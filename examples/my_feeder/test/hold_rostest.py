@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""hold.py as it is launched, in step: with exact sensors and drives, with those of a real machine, with a failing one."""
+"""hold.py as it is launched, in step: with exact sensors and drives, those of a machine, and one that is stuck."""
 import unittest
 
 import rospy
