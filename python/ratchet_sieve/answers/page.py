@@ -4,6 +4,7 @@ from __future__ import annotations
 import base64
 import io
 import json
+import os
 from typing import Any
 
 from ratchet_sieve import _engine
@@ -18,7 +19,7 @@ def page_of(answer: Any) -> str:
     scene = answer.machine.scene
     return _engine.answer_page(json.dumps({
         "title": f"Which settings part {' and '.join(scene.species)}", "result": result,
-        "origin": f"{scene.source or 'A scene'}, seed {scene.seed}, ratchet_sieve {_engine.__version__}",
+        "origin": f"{os.path.basename(scene.source)}, seed {scene['seed']}, ratchet_sieve {_engine.__version__}",
         "lines": lines, "picture": answer.best and _picture(answer), "scene": answer.best and answer.scene.yaml,
         "tables": [table(answer) for table in (_as_good, _depends, _stages, _batch) if answer.best and table(answer)]}))
 
