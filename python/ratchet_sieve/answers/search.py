@@ -32,6 +32,7 @@ RATES_VARIANCE = 0.1  # of what one run says of it
 OPEN_COST = 20.0  # of a run where the machine has not settled, over the upper quartile of the first runs
 GROWS = 2.0       # what a second costs once the machine has filled, over what it costs while it fills
 LONG_COST = 50.0  # of a run that is longer than the shortest, over the median of the first runs
+UNSEEN_COST = 8.0  # the same where no run has been: the machine may fill up there
 SEEDS = 1_000_000  # of the scenes between two seeds of the search; the second half of them is for fresh runs
 MOST_SEED = 10 ** 12
 UNKNOWN_ERRORS = 3.0  # standard deviation of the logarithm of their variance, for a goal of the user's
@@ -194,7 +195,8 @@ class Search:
         self.value, variance, half = self._surface.at(self.grid)
         self.error = np.sqrt(variance)
         height = np.abs(self.value) if self.machine.is_signed else self.value
-        settled = self.works & defined[nearest] & ((distance.min(axis=1) < NEAR) | (not self.is_cut_short))
+        self._is_seen = distance.min(axis=1) < NEAR
+        settled = self.works & defined[nearest] & (self._is_seen | (not self.is_cut_short))
         height = np.where(settled if settled.any() else self.works, height - self._handicap, -np.inf)
         self.best = int(height.argmax()) if best is None else best
         self.may = self._may(self._surface, variance, half)
@@ -256,7 +258,7 @@ class Search:
     def _challengers(self, units):
         """@return map from the number of a place to its runs"""
         cost = self._rate * units
-        most = np.maximum(LONG_COST * self._usual / cost, 1.0)
+        most = np.maximum(np.where(self._is_seen, LONG_COST, UNSEEN_COST) * self._usual / cost, 1.0)
         picks, places, errors = {}, [], []
         may, error = self.may, self.error
         sign_is_known = abs(self.value[self.best]) > ANYWHERE * error[self.best]
@@ -268,7 +270,7 @@ class Search:
             if over.max() <= 0.0:
                 break
             k = int(np.where(over > 0.0, (over + 0.2) / cost, 0.0).argmax())
-            if error[self.best] > error[k]:
+            if error[self.best] > error[k] and most[self.best] >= 1.0:
                 k = self.best
             picks[k] = picks.get(k, 0) + 1
             most[k] -= 1.0
