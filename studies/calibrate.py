@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Measures how often the intervals of calibrate() hold, how wide they are and what they cost: feeders whose coefficients
-are drawn are measured by runs, and calibrated from what was counted alone.
+"""Measures how often the intervals of calibrate() hold, how wide they are and what they cost: feeders whose
+coefficients are drawn are measured by runs, and calibrated from what was counted alone.
 
 Writes data/calibrate.json and the table in calibrate.md. Each calibration takes one core.
 """
@@ -30,7 +30,7 @@ FRESH = 800_000_000  # first seed of measurements, of which no calibration knows
 WRONG = 1.1          # of the amplitude
 SEPARATED = "two"    # the problem whose grains are then separated
 OVER, WITHIN, OWN = {THETA: (0.0, 0.35)}, 0.04, {THETA: 0.1}
-COLUMNS = {"truths": "feeders", "agree": "agree", "held": "intervals that hold, of each", "e": "e ±", "cost": "cost [s]",
+COLUMNS = {"truths": "feeders", "agree": "agree", "held": "intervals that hold", "e": "e ±", "cost": "cost [s]",
            "separated": "s within its spread"}
 
 

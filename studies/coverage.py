@@ -13,7 +13,7 @@ import tempfile
 import warnings
 
 import numpy as np
-from separate import FRESH, RANGES, ROOT, THETA, WITHIN, F, best_of_grid, timed
+from separate import FRESH, RANGES, ROOT, THETA, WITHIN, F, best_of_grid
 
 import ratchet_sieve as rs
 from ratchet_sieve import documents, origin, stats
@@ -25,7 +25,7 @@ CUTS = (1.0, 0.2, 0.4, 0.6)  # of the runs of the finished answer; 1: that one
 DISKS = 4000        # that are fed in a run of the reference
 RUNS, MOST = 8, 96  # of the reference at a time, and at most
 SURER = 4.0         # the interval over that of the reference
-COLUMNS = {"seeds": "seeds", "cost": "median [s]", "known": "with an interval", "held": "held", "width": "median ±",
+COLUMNS = {"seeds": "seeds", "known": "with an interval", "held": "held", "width": "median ±",
            "near": "within 0.02", "lost": "mean loss"}
 
 
@@ -89,38 +89,38 @@ def interrupted_after(count):
 
 
 def answers_of(scene, over, seed, cuts):
-    """@return for each part of the runs the answer, and its processor time [s]"""
+    """@return for each part of the runs the answer"""
     runs = None
     with tempfile.TemporaryDirectory() as directory:
         for cut in cuts:
             with interrupted_after(runs and round(cut * runs)):
                 # A copy of the runs saves the time of those that are known, and changes no bit.
-                answer, cost = timed(lambda: rs.separate(scene, over, within=WITHIN, seed=seed, threads=1,
-                                                         progress=False, results=f"{directory}/runs.db"))
+                answer = rs.separate(scene, over, within=WITHIN, seed=seed, threads=1, progress=False,
+                                     results=f"{directory}/runs.db")
             runs = runs or int((answer.runs.seed % 1_000_000 < 500_000).sum())
-            yield cut, answer, cost
+            yield cut, answer
 
 
 def measure(name, scene, over, seeds, cuts, best):
     """@return map from the parts of the runs to their figures as texts"""
     truth, found = Truth(scene), {cut: [] for cut in cuts}
     for seed in seeds:
-        for cut, answer, cost in answers_of(scene, over, seed, cuts):
+        for cut, answer in answers_of(scene, over, seed, cuts):
             width = answer.separation.half_width
             known = answer.best is not None and width is not None
             true = truth.at(answer.best, max((width or 0.08) / SURER, 0.003)) if answer.best else None
             held = known and true and \
                 abs(true.value - answer.separation.value) < np.hypot(width, true.half_width())
-            found[cut].append((cost, known, bool(held), width, abs(true.value) if true else 0.0))
+            found[cut].append((known, bool(held), width, abs(true.value) if true else 0.0))
             print(name, seed, cut, answer.best, answer.separation, true and true.text(), "held" if held else "",
-                  f"{cost:.1f} s", len(answer.runs), *answer.warnings, sep="; ", flush=True)
-    return {cut: figures_of(rows, cut, best) for cut, rows in found.items()}
+                  len(answer.runs), *answer.warnings, sep="; ", flush=True)
+    return {cut: figures_of(rows, best) for cut, rows in found.items()}
 
 
-def figures_of(rows, cut, best):
-    costs, known, held, widths, values = zip(*rows)
+def figures_of(rows, best):
+    known, held, widths, values = zip(*rows)
     lost = [best - value for value in values] if best else []
-    return {"seeds": f"{len(rows)}", "cost": f"{statistics.median(costs):.2g}" if cut == 1.0 else "—",
+    return {"seeds": f"{len(rows)}",
             "known": f"{sum(known)} of {len(rows)}", "held": f"{sum(held)} of {sum(known)}",
             "width": f"{statistics.median([w for w, k in zip(widths, known) if k] or [0.0]):.2g}",
             "near": f"{sum(each <= WITHIN for each in lost)} of {len(rows)}" if lost else "—",

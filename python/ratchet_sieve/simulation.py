@@ -91,8 +91,13 @@ class Simulation:
             if species not in self._scene.species:
                 raise ValueError(f"there is no species {species!r}; there are {', '.join(self._scene.species)}")
             species = self._scene.species.index(species)
-        stretch = between and tuple(number("between", end, 0, unit="m") for end in between)
-        self._engine.pour(integer("species", species), integer("count", count), stretch)
+        if between is not None:
+            try:
+                left, right = between
+            except (TypeError, ValueError):
+                raise ValueError(f"between = {between!r}: must be both ends of a stretch [m]") from None
+            between = (number("between", left, 0, unit="m"), number("between", right, 0, unit="m"))
+        self._engine.pour(integer("species", species), integer("count", count), between)
 
     @property
     def disks(self) -> np.ndarray:

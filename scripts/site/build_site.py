@@ -20,7 +20,7 @@ PACKAGE = HERE.parents[1]
 KATEX = Path('/usr/share/javascript/katex')
 KEPT = {'.md', '.csv', '.gif', '.png', '.svg'}  # any other file that a page links to becomes a page
 LINK = re.compile(r'(?<=\]\()([^)\s:#]+)(?=[)#])')
-PICTURE = re.compile(r'^!\[(.+)\]\((.+)\)\n', re.MULTILINE)
+PICTURE = re.compile(r'^!\[(.+)\]\((.+)\)\n(?:\n\*([^*]+)\*)?', re.MULTILINE)  # with the paragraph that says more
 HERO = '\n\n<iframe class="hero" src="live.html" title="The machine, live"></iframe>\n'
 RUNS = {'demo': {'base.inclination': 0.19, 'duration': 15}, 'machine_mass': {'duration': 8},
         'circular_feeder': {'duration': 8, 'settle': 1}}
@@ -53,12 +53,13 @@ def stage_documents(source):
 
 
 def pictures_first(text):
-    """The first picture of a page below its title, and each with what it says as its caption."""
+    """The first picture of a page below its title, and each with its caption."""
     first = PICTURE.search(text)
     if first:
         title, rest = text.replace(first[0], '', 1).split('\n', 1)
-        text = f'{title}\n\n{first[0]}{rest}'
-    return PICTURE.sub(r'<figure><img src="\2" alt="">\n<figcaption>\1</figcaption></figure>\n', text)
+        text = f'{title}\n\n{first[0]}\n{rest}'
+    return PICTURE.sub(lambda found: f'<figure><img src="{found[2]}" alt="{found[1]}">\n<figcaption>'
+                       f'{found[3] or found[1]}</figcaption></figure>\n\n', text)
 
 
 def page_of(link):

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
@@ -12,9 +11,6 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -121,39 +117,6 @@ private:
   bool complete_ = true;
 };
 
-/// Longest line of tables, and of help at most [characters].
-constexpr std::size_t TEXT_WIDTH = 110;
-
-/// Longest line of help: $COLUMNS, or the terminal's, or 80 [characters].
-inline std::size_t helpWidth()
-{
-  winsize terminal = {};
-  std::size_t width = 80;
-  if (const char* columns = std::getenv("COLUMNS"))
-    width = std::strtoul(columns, nullptr, 10);
-  else if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &terminal) == 0 && terminal.ws_col > 0)
-    width = terminal.ws_col;
-  return std::clamp(width, std::size_t{60}, TEXT_WIDTH);
-}
-
-/// Lines of at most `width` characters, each indented. No word is broken.
-inline std::string wrappedText(const std::string& text, std::size_t indent, std::size_t width = TEXT_WIDTH)
-{
-  std::string lines;
-  std::size_t begin = 0;
-  while (begin < text.size())
-  {
-    std::size_t end = text.size();
-    if (end - begin > width - indent)
-      end = text.rfind(' ', begin + width - indent);
-    if (end == std::string::npos || end <= begin)
-      end = std::min(text.find(' ', begin), text.size());
-    lines += std::string(indent, ' ') + text.substr(begin, end - begin) + "\n";
-    begin = end + 1;
-  }
-  return lines;
-}
-
 /// Help within helpWidth(): an option's name and argument on the left, its description, ended by the default,
 /// on the right.
 class HelpFormat : public CLI::Formatter
@@ -171,10 +134,12 @@ public:
     std::string text = option->get_description();
     if (!option->get_default_str().empty())
       text += " (default: " + option->get_default_str() + ")";
-    std::string lines = wrappedText(text, NAMES_WIDTH, helpWidth());
-    if (names.size() + 2 > NAMES_WIDTH)
-      return names + "\n" + lines;
-    return lines.replace(0, names.size(), names);
+    return row(names, text);
+  }
+
+  std::string make_subcommand(const CLI::App* command) const override
+  {
+    return row("  " + command->get_name(), command->get_description());
   }
 
   std::string make_description(const CLI::App* app) const override
@@ -189,6 +154,12 @@ public:
 
 private:
   static constexpr std::size_t NAMES_WIDTH = 26;
+
+  static std::string row(const std::string& names, const std::string& text)
+  {
+    std::string lines = wrappedText(text, NAMES_WIDTH, helpWidth());
+    return names.size() + 2 > NAMES_WIDTH ? names + "\n" + lines : lines.replace(0, names.size(), names);
+  }
 };
 
 /// Gives the program and its subcommands --help, --version, the format of their help and the footer.

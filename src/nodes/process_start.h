@@ -1,11 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <string>
 
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "ratchet_sieve/recording/version.h"
@@ -44,6 +48,55 @@ inline void attendSignals()
   std::signal(SIGPIPE, SIG_IGN);
 }
 
+/// Longest line of tables, and of help at most [characters].
+constexpr std::size_t TEXT_WIDTH = 110;
+
+/// Longest line of help: $COLUMNS, or the terminal's, or 80 [characters].
+inline std::size_t helpWidth()
+{
+  winsize terminal = {};
+  std::size_t width = 80;
+  if (const char* columns = std::getenv("COLUMNS"))
+    width = std::strtoul(columns, nullptr, 10);
+  else if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &terminal) == 0 && terminal.ws_col > 0)
+    width = terminal.ws_col;
+  return std::clamp(width, std::size_t{60}, TEXT_WIDTH);
+}
+
+/// Lines of at most `width` characters, each indented. No word is broken.
+inline std::string wrappedText(const std::string& text, std::size_t indent, std::size_t width = TEXT_WIDTH)
+{
+  std::string lines;
+  std::size_t begin = 0;
+  while (begin < text.size())
+  {
+    std::size_t end = text.size();
+    if (end - begin > width - indent)
+      end = text.rfind(' ', begin + width - indent);
+    if (end == std::string::npos || end <= begin)
+      end = std::min(text.find(' ', begin), text.size());
+    lines += std::string(indent, ' ') + text.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// A help text whose lines have names, two spaces or more and a description, within helpWidth().
+inline std::string fittedHelp(const std::string& help)
+{
+  std::string fitted;
+  std::size_t begin = 0;
+  for (std::size_t end; (end = help.find('\n', begin)) != std::string::npos; begin = end + 1)
+  {
+    const std::string line = help.substr(begin, end - begin);
+    const std::size_t gap = line.rfind("  ");
+    const std::size_t indent = gap == std::string::npos ? 0 : gap + 2;
+    std::string lines = wrappedText(line.substr(indent), indent, helpWidth());
+    fitted += lines.empty() ? "\n" : lines.replace(0, indent, line, 0, indent);
+  }
+  return fitted;
+}
+
 /// Flushes standard output after each log line, also into a pipe or a file. To be called before any output.
 inline void writeLogByLines()
 {
@@ -59,7 +112,7 @@ inline bool answerOptions(int argc, char** argv, const char* program, const char
   {
     if (std::strcmp(argv[k], "--help") == 0 || std::strcmp(argv[k], "-h") == 0)
     {
-      std::fputs(help, stdout);
+      std::fputs(fittedHelp(help).c_str(), stdout);
       return true;
     }
     if (std::strcmp(argv[k], "--version") == 0)

@@ -9,7 +9,7 @@
 namespace
 {
 constexpr const char* HELP =
-    "Draw a sieve from its topics, live or played from a bag: publish ~markers and ~cloud, and for a bag\n"
+    "Draw a sieve from its topics, live or played from a bag: publish ~markers and ~cloud, and for a bag "
     "that holds no /tf also /tf.\n"
     "\n"
     "Usage: rosrun ratchet_sieve sieve_display [--help | --version] [ROS ARGUMENT...]\n"

@@ -36,7 +36,7 @@ constexpr const char* HELP =
     "  ~limits/amplitude/min, max, slew_rate     m, m/s (0, 0.01, 0.002)\n"
     "  ~sensors, ~actuators     what a real machine has, as trees: docs/node.md (none)\n"
     "\n"
-    "Exit status: 0 at the end of the scene or if it is stopped; 2 for a bad scene or parameter; 1 for any\n"
+    "Exit status: 0 at the end of the scene or if it is stopped; 2 for a bad scene or parameter; 1 for any "
     "other failure.\n";
 }  // namespace
 

@@ -121,7 +121,7 @@ std::string resultText(const nlohmann::ordered_json& summary)
 {
   const auto number = [](const nlohmann::ordered_json& value, const char* format, double scale = 1.0)
   { return value.is_null() ? "undefined" : fmt::format(format, scale * value.get<double>()); };
-  const bool open = summary["quality"].is_number() || summary["processed"] != 0.0;
+  const bool open = summary["processed"].is_number();
   std::string text =
       open ? "Q " + number(summary["quality"], "{:.2f}") + ", P " + number(summary["processed"], "{:.2f}")
            : "mean velocities";

@@ -48,9 +48,7 @@ class Engine {
   }
 
   /** A copy of a buffer. */
-  buffer(name) {
-    return new BUFFERS[name](this.calls.memory.buffer, this.calls[name](), this.calls[name + '_size']()).slice();
-  }
+  buffer(name) { return new BUFFERS[name](this.calls.memory.buffer, this.calls[name](), this.calls[name + '_size']()).slice(); }
 
   advance(time) { this.call('advance', time); }
 

@@ -28,9 +28,7 @@ class Session {
     this.schedule.push([this.time, ...order]);
   }
 
-  givePending() {
-    while (this.pending.length && this.pending[0][0] <= this.time) this.order(this.pending.shift().slice(1));
-  }
+  givePending() { while (this.pending.length && this.pending[0][0] <= this.time) this.order(this.pending.shift().slice(1)); }
 
   /** Advances to a time, or until the wall time `budget` is used up [ms]. */
   advance(to, budget = Infinity) {

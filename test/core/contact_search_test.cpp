@@ -1,7 +1,5 @@
 #include "search/contact_search.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 

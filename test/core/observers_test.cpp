@@ -87,6 +87,40 @@ TEST(ContactExecution, KeepsTheTimesOfLastContactsOfBothPartnersAndTheImpulseOfT
   EXPECT_EQ(bench.state.record(a).last_contact, -bench.state.epoch().length);
 }
 
+/// Those that close are in collision_law_test.cpp and simd_test.cpp.
+TEST(ContactExecution, LeavesAContactAloneThatOpens)
+{
+  SceneDefinition scene = test::mixture(0);
+  scene.base.amplitude = scene.base.tooth_height = 0.0;
+  test::Bench bench(scene);
+  BaseInstant base(bench.state.motion());
+  Disk disk;
+  disk.position = {0.002, 0.0008};
+  disk.velocity = {2.0, 1.0};
+  const std::uint32_t i = test::addDisk(bench.state, disk);
+  disk.position.x() = 0.004;
+  disk.velocity.x() = 3.0;
+  disk.species = 1;
+  const std::uint32_t j = test::addDisk(bench.state, disk);
+  const BaseFeature ground{BaseFeatureKind::FACE, 0, 0};
+  const ContactOutcome outcomes[] = {bench.execution.collideWithBase(i, ground, 0.0, base),
+                                     bench.execution.collidePair(i, j, 0, 0.0)};
+  EXPECT_NEAR(outcomes[0].overlap, 0.0002, 1e-15);
+  EXPECT_NEAR(outcomes[1].overlap, 0.001, 1e-15);
+  for (const ContactOutcome& outcome : outcomes)
+  {
+    EXPECT_FALSE(outcome.closed);
+    EXPECT_EQ(outcome.normal_velocity, 0.0);
+    EXPECT_EQ(outcome.normal_impulse, 0.0);
+    EXPECT_EQ(outcome.tangential_impulse, 0.0);
+  }
+  EXPECT_EQ(bench.state.disk(i).velocity, Eigen::Vector2d(2.0, 1.0));
+  EXPECT_EQ(bench.state.disk(j).velocity, Eigen::Vector2d(3.0, 1.0));
+  // What is predicted of them stays.
+  EXPECT_EQ(bench.state.disk(i).event_count, 0u);
+  EXPECT_EQ(bench.state.disk(j).event_count, 0u);
+}
+
 TEST(Observers, TakeTheOverlapOfEveryContactAndCountWhatClosed)
 {
   SystemState system(test::mixture(0));

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <Eigen/Geometry>
 
 #include "constants.h"
 #include "model/base_motion.h"

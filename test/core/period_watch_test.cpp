@@ -1,7 +1,5 @@
 #include "observe/period_watch.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "ratchet_sieve/core/simulation.h"

@@ -40,6 +40,17 @@ TEST(BaseShape, NormalsPointOutOfTheBase)
   EXPECT_NEAR(shape.faces()[0].length / shape.faces()[1].length, 0.557, 5e-4);
 }
 
+TEST(BaseShape, OnlyAPeriodicBaseGoesOnBeyondItsEnds)
+{
+  const BaseShape periodic(BaseDefinition(), Boundary::PERIODIC);
+  const BaseShape open(BaseDefinition(), Boundary::OPEN);
+  EXPECT_TRUE(periodic.hasTooth(-1));
+  EXPECT_EQ(periodic.toothAt(-0.001), -1);
+  EXPECT_FALSE(open.hasTooth(-1));
+  EXPECT_FALSE(open.hasTooth(20));
+  EXPECT_EQ(open.toothAt(0.5), 19);
+}
+
 /// Distance to the outline of all teeth within reach, and whether the point is below it, corner by corner.
 double slowHeightAbove(BaseDefinition base, double s, double n)
 {

@@ -34,10 +34,10 @@ SensorParameters parametersOf(const std::string& yaml)
 }
 
 /// The small mixture with sensors, and what they sent, by their names.
-class Watched
+class Instrumented
 {
 public:
-  explicit Watched(const std::string& yaml, SceneDefinition scene = smallMixture())
+  explicit Instrumented(const std::string& yaml, SceneDefinition scene = smallMixture())
       : simulation_(scene), sensors_(makeSensors(parametersOf(yaml), simulation_))
   {
     simulation_.observeExits(
@@ -50,7 +50,7 @@ public:
   }
 
   /// @param stride [s] of advances
-  Watched& run(double until, double stride = 1.0)
+  Instrumented& run(double until, double stride = 1.0)
   {
     while (simulation_.time() < until)
     {
@@ -103,20 +103,20 @@ constexpr const char* ALL = "{scale: {rate: 5}, count: {rate: 5}, level: {rate: 
 
 TEST(Sensors, areExactByDefault)
 {
-  Watched watched(ALL);
-  watched.run(2.0);
-  const std::vector<SpeciesBins> bins = watched.simulation().bins();
+  Instrumented machine(ALL);
+  machine.run(2.0);
+  const std::vector<SpeciesBins> bins = machine.simulation().bins();
   ASSERT_GT(bins[0].left + bins[0].right + bins[1].left + bins[1].right, 3u);
-  EXPECT_NEAR(watched.sent["left/scale"].back().values[0], bins[0].left_mass + bins[1].left_mass, 1e-12);
-  EXPECT_NEAR(watched.sent["right/scale"].back().values[0], bins[0].right_mass + bins[1].right_mass, 1e-12);
+  EXPECT_NEAR(machine.sent["left/scale"].back().values[0], bins[0].left_mass + bins[1].left_mass, 1e-12);
+  EXPECT_NEAR(machine.sent["right/scale"].back().values[0], bins[0].right_mass + bins[1].right_mass, 1e-12);
   for (std::size_t k = 0; k < bins.size(); ++k)
   {
-    EXPECT_EQ(watched.sent["left/count"].back().values[k], static_cast<double>(bins[k].left));
-    EXPECT_EQ(watched.sent["right/count"].back().values[k], static_cast<double>(bins[k].right));
+    EXPECT_EQ(machine.sent["left/count"].back().values[k], static_cast<double>(bins[k].left));
+    EXPECT_EQ(machine.sent["right/count"].back().values[k], static_cast<double>(bins[k].right));
   }
-  EXPECT_EQ(watched.sent["level"].front().values[0], 12.0);
-  EXPECT_EQ(watched.sent["level"].back().values[0], static_cast<double>(bins[0].on_base + bins[1].on_base));
-  EXPECT_EQ(watched.sent["level"].size(), 11u);
+  EXPECT_EQ(machine.sent["level"].front().values[0], 12.0);
+  EXPECT_EQ(machine.sent["level"].back().values[0], static_cast<double>(bins[0].on_base + bins[1].on_base));
+  EXPECT_EQ(machine.sent["level"].size(), 11u);
 }
 
 TEST(Sensors, readTheSameHoweverTheRunIsDivided)
@@ -124,17 +124,17 @@ TEST(Sensors, readTheSameHoweverTheRunIsDivided)
   const std::string noisy =
       "{scale: {noise: 0.001, time_constant: 0.1, drop_height: 0.1, delay: 0.25}, "
       "count: {miss: 0.3, confusion: 0.3, delay: 0.07}, level: {noise: 1, from: 0, to: 0.04}}";
-  const auto once = Watched(noisy).run(2.0).sent;
-  EXPECT_EQ(Watched(noisy).run(2.0, 0.0137).sent, once);
+  const auto once = Instrumented(noisy).run(2.0).sent;
+  EXPECT_EQ(Instrumented(noisy).run(2.0, 0.0137).sent, once);
   SceneDefinition other = smallMixture();
   other.seed = 2;
-  EXPECT_NE(Watched(noisy, other).run(2.0).sent, once);
+  EXPECT_NE(Instrumented(noisy, other).run(2.0).sent, once);
 }
 
 TEST(Sensors, sendLateWhatTheyMeasured)
 {
-  const auto sent = Watched("{level: {rate: 4, delay: 0.6}}").run(2.0).sent.at("level");
-  const auto now = Watched("{level: {rate: 4}}").run(2.0).sent.at("level");
+  const auto sent = Instrumented("{level: {rate: 4, delay: 0.6}}").run(2.0).sent.at("level");
+  const auto now = Instrumented("{level: {rate: 4}}").run(2.0).sent.at("level");
   ASSERT_EQ(sent.size(), 6u);
   for (std::size_t k = 0; k < sent.size(); ++k)
     EXPECT_EQ(sent[k], (Sent{0.25 * static_cast<double>(k) + 0.6, now[k].time, now[k].values}));
@@ -142,7 +142,8 @@ TEST(Sensors, sendLateWhatTheyMeasured)
 
 TEST(Sensors, haveNoiseOfItsStandardDeviationAndAResolution)
 {
-  const auto sent = Watched("{scale: {rate: 1000, noise: 0.5, resolution: 0.25}}", smallRing()).run(4.0).sent;
+  const auto sent =
+      Instrumented("{scale: {rate: 1000, noise: 0.5, resolution: 0.25}}", smallRing()).run(4.0).sent;
   double sum = 0.0, squares = 0.0;
   const auto& readings = sent.at("left/scale");
   for (const Sent& reading : readings)
@@ -199,24 +200,24 @@ TEST(Sensors, areBlindInTheirDeadTime)
 
 TEST(Sensors, fail)
 {
-  Watched watched("{level: {rate: 10, noise: 1}}");
-  auto& sent = watched.sent["level"];
-  watched.run(0.25);
-  watched.sensor("level").setFault("stuck");
-  watched.run(0.55);
+  Instrumented machine("{level: {rate: 10, noise: 1}}");
+  auto& sent = machine.sent["level"];
+  machine.run(0.25);
+  machine.sensor("level").setFault("stuck");
+  machine.run(0.55);
   EXPECT_EQ(sent.size(), 6u);
   EXPECT_EQ(sent[5].values, sent[2].values);
   EXPECT_DOUBLE_EQ(sent[5].time, 0.5);
-  watched.sensor("level").setFault("dropout");
-  watched.run(0.85);
+  machine.sensor("level").setFault("dropout");
+  machine.run(0.85);
   EXPECT_EQ(sent.size(), 6u);
-  watched.sensor("level").setFault("nan");
-  watched.run(0.95);
+  machine.sensor("level").setFault("nan");
+  machine.run(0.95);
   EXPECT_TRUE(std::isnan(sent.back().values[0]));
-  watched.sensor("level").setFault("none");
-  watched.run(1.05);
+  machine.sensor("level").setFault("none");
+  machine.run(1.05);
   EXPECT_EQ(sent.back().values,
-            Watched("{level: {rate: 10, noise: 1}}").run(1.05).sent["level"].back().values);
+            Instrumented("{level: {rate: 10, noise: 1}}").run(1.05).sent["level"].back().values);
 }
 
 template <typename Read>
@@ -240,11 +241,12 @@ TEST(PlantReader, saysWhatIsAllowed)
   EXPECT_EQ(sensors("{camera: {}}"),
             "parameter /sieve:1: camera: unknown key; must be one of count, level, scale");
   EXPECT_EQ(sensors("{scale: {mis: 0.1}}").substr(0, 45), "parameter /sieve:1: scale.mis: unknown key; m");
-  EXPECT_EQ(sensors("{count: {miss: 2}}"), "parameter /sieve:1: count.miss = 2: must be a number from 0 to 1; did you mean 0.02 (2 %)?");
+  EXPECT_EQ(sensors("{count: {miss: 2}}"),
+            "parameter /sieve:1: count.miss = 2: must be a number from 0 to 1; did you mean 0.02 (2 %)?");
   EXPECT_EQ(sensors("{count: {rate: fast}}"),
             "parameter /sieve:1: count.rate = fast: must be a number from 0.001 to 1000 Hz");
   EXPECT_EQ(sensors("{level: {from: 1, to: 0}}"), "parameter /sieve:1: level.to = 0: must be at least from");
-  EXPECT_EQ(sensors("7"), "parameter /sieve:1: sensors = 7: must be a map");
+  EXPECT_EQ(sensors("7"), "parameter /sieve: sensors = 7: must be a map");
   EXPECT_EQ(drives("{frequency: {dead_time: -1}}"),
             "parameter /sieve:1: frequency.dead_time = -1: must be a number from 0 to 3600 s");
   EXPECT_EQ(drives("{amplitude: {over_frequency: [[20, 1], [20, 2]]}}"),

@@ -8,7 +8,7 @@ from matplotlib.text import Text
 
 from ratchet_sieve import plots
 from ratchet_sieve.base import length, outline
-from ratchet_sieve.plots.curves import RAMP, SIGNED, STEPS
+from ratchet_sieve.plots.curves import STEPS
 from ratchet_sieve.plots.machine import surface
 from ratchet_sieve.plots.maps import colour_steps
 from ratchet_sieve.plots.means import plain_label
@@ -36,9 +36,14 @@ class Colours(unittest.TestCase):
 
     def test_a_map_diverges_around_nought_where_values_have_both_signs(self):
         steps = colour_steps([-0.3, 0.1])
-        self.assertEqual(steps['cmap'], SIGNED)
+        low, high = steps['cmap'](0.0), steps['cmap'](1.0)
+        self.assertTrue(low[2] > low[0] and high[0] > high[2])
         self.assertAlmostEqual(sum(steps['norm'].boundaries), 0.0)
-        self.assertEqual(colour_steps([0.1, 0.3])['cmap'], RAMP)
+
+    def test_a_map_is_brightest_where_values_are_largest(self):
+        for values, largest in ([0.1, 0.3], 1.0), ([-0.3, -0.1], 0.0):
+            colours = colour_steps(values)['cmap']
+            self.assertGreater(sum(colours(largest)[:3]), sum(colours(1.0 - largest)[:3]) + 1.0)
 
     def test_curves_of_numbers_have_colours_in_their_order(self):
         colours = plots.key_colours([float(k) for k in range(STEPS)])

@@ -16,11 +16,15 @@ from feeder import SCENE, THETA, TWINS, changed
 from ratchet_sieve import stats, tables
 from ratchet_sieve.answers import answer as answer_module
 from ratchet_sieve.answers import cost, final, intervals, search, stages
-from ratchet_sieve.answers.answer import MOST_ROWS
 from ratchet_sieve.answers.machine import CUT, EMPTY, LEAST_WORKING, Machine
 from ratchet_sieve.answers.surface import OFFSET, Surface
 from ratchet_sieve.plots.findings import best_setting, way_of
 from ratchet_sieve.plots.means import Limits
+
+
+def data_of(page):
+    """What a page's script shows."""
+    return json.loads(page.partition(' id="data">')[2].partition("</script>")[0])
 
 
 @pytest.fixture(scope="module")
@@ -132,8 +136,7 @@ def test_a_sweep_with_fresh_seeds_its_report_and_a_page_say_the_same(answer, tmp
     assert way_of(group, tables.STEADY_QUALITY).endswith(str(answer).splitlines()[0].partition(": ")[2])
     run = rs.run(scene, frames=1.0)
     run.write(tmp_path / "run.html")
-    data = (tmp_path / "run.html").read_text(encoding="utf-8").partition(' id="data">')[2].partition("</script>")[0]
-    page = json.loads(data)["results"]["steady"]["separation"]
+    page = data_of((tmp_path / "run.html").read_text(encoding="utf-8"))["results"]["steady"]["separation"]
     assert page["value"] == run.summary.steady.separation.value
     assert abs(page["value"] - answer.separation.value) < np.hypot(page["half_width"], answer.separation.half_width)
 
@@ -165,8 +168,10 @@ def test_it_says_which_way_and_products_beside_the_feed(answer):
     assert lines[3].startswith(f"left: A purity {answer.purity.left.mass.A} by mass (feed 0.91), "
                                f"{answer.purity.left.number.A} by number (feed 0.5); recovery ")
     assert answer.plot().get_ylabel() == "separation $s$, above 0: more A to the left"
-    page = answer._page()
-    assert lines[0] in page and page.count("<tr") == 1 + min(len(answer.as_good), MOST_ROWS)
+    shown = data_of(answer._page())
+    assert shown["result"] == lines[0] and shown["lines"] == lines[1:] and shown["picture"]["bytes"]
+    assert [len(table["rows"]) for table in shown["tables"][:1]] == [len(answer.as_good)]
+    assert shown["tables"][-1]["note"] == f"It takes {answer.batch(100).hours} h."
 
 
 def test_a_batch_takes_its_time_and_loses_nothing(answer):
@@ -198,8 +203,9 @@ def test_the_same_kinds_are_not_separated(tmp_path):
     with pytest.raises(ValueError, match="nothing is separated"):
         found.scene
     found.write(tmp_path / "twins.html")
-    page = (tmp_path / "twins.html").read_text(encoding="utf-8")
-    assert "not separated: |separation| &lt; 0.0" in page and "<table" not in page and "<img" not in page
+    shown = data_of((tmp_path / "twins.html").read_text(encoding="utf-8"))
+    assert shown["result"].startswith("not separated: |separation| < 0.0")
+    assert not shown["tables"] and not shown["picture"] and not shown["scene"]
     assert found.plot().get_title() == str(found).splitlines()[0]
 
 

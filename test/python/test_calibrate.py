@@ -4,11 +4,13 @@ import json
 import subprocess
 
 import numpy as np
+import pandas
 import pytest
 
 import ratchet_sieve as rs
 from conftest import program
 from feeder import THETA
+from ratchet_sieve import sweeps
 from ratchet_sieve.answers.measured import Measured
 
 E, MU = "species.0.restitution", "species.0.friction"
@@ -36,7 +38,7 @@ def grains(rows):
 def test_finds_the_coefficients_of_the_feeder(grains):
     found = grains[E]
     assert grains.agrees and grains.added < 0.5
-    assert abs(found.value - TRUTH) < 1.5 * found.half_width and 0.0 < found.half_width < 0.1
+    assert abs(found.value - TRUTH) < 1.5 * found.half_width and 0.0 < found.half_width < 0.2
     assert f"{E} {found} (95 %)" in str(grains) and "measured and computed agree" in str(grains)
 
 
@@ -75,6 +77,32 @@ def test_what_no_coefficients_explain_is_refused(rows):
         str(found)
     with pytest.raises(ValueError, match="do not agree"):
         found.unknown
+
+
+def test_intervals_hold_and_what_was_not_measured_is_left_open(monkeypatch):
+    """With runs of known shares, which do not depend on the second key."""
+    def of(keys, seed):
+        drawn, e = np.random.default_rng(seed), keys[E]
+        fed = drawn.poisson(800)
+        deck = drawn.binomial(fed, 0.02 + 0.1 * e ** 2)
+        left = drawn.binomial(fed - deck, 1.0 / (1.0 + np.exp(1.0 - 5.0 * keys[THETA] * e - np.sin(3.0 * e))))
+        return {"left.A": left, "right.A": fed - deck - left, "on_base.A": deck}
+
+    def swept(_, cases, **_options):
+        rows = [of(case, case["seed"]) for case in cases]
+        return pandas.DataFrame([{**row, "count.A": sum(row.values()), "simulated_time": 1.0} for row in rows])
+
+    monkeypatch.setattr(sweeps, "sweep", swept)
+    held = 0
+    for seed, truth in enumerate(np.random.default_rng(2).uniform(0.4, 0.99, 12)):
+        rows = [{THETA: angle, **of({E: truth, THETA: angle}, 10 ** 9 + 10 * seed + k)}
+                for k, angle in enumerate((0.0, 0.2))]
+        grains = rs.calibrate(SCENE, {**UNKNOWN, MU: (0.1, 0.5)}, rows, progress=False)
+        found = grains[E]
+        assert grains.agrees and found.half_width < 0.2
+        assert "friction" in str(grains) and "hardly more than was known before" in str(grains)
+        held += abs(found.value - truth) <= found.half_width
+    assert held >= 9  # of 12, where 95 % hold on the average
 
 
 @pytest.mark.parametrize("measured, line", (

@@ -69,7 +69,7 @@ def test_machines_with_a_feed_are_compared_once_they_have_filled(cases):
         case["steady.quality.value"] = None if case["steady.separation.value"] is None else abs(case["steady.separation.value"])
     found = findings(cases)
     assert found["lines"][0] == (
-        "best mean Q of the filled machine 0.220 +- 0.012 over 3 seeds (since the start 0.300 +- 0.000 over 3 seeds), "
+        "best mean Q of the filled machine 0.220 ± 0.012 over 3 seeds (since the start 0.300 ± 0.000 over 3 seeds), "
         "P 1.00, 200 disks counted: base.inclination=0.2")
     assert found["best"]["steady"] == {"quality": pytest.approx(0.22), "separation": pytest.approx(-0.22),
                                        "quality_stderr": pytest.approx(0.02 / math.sqrt(3)), "seeds": 3}

@@ -31,6 +31,19 @@ def test_a_live_page_has_the_definitions_of_its_scenes(scene, engine, tmp_path):
     assert 'sandbox="allow-scripts"' in page._repr_html_()
 
 
+def test_scenes_have_the_titles_of_their_files(scene, engine, tmp_path):
+    engine.write_bytes(b"\0asm")
+    (tmp_path / "titled.yaml").write_text(f"# Two kinds: one sees them part.\n{scene.yaml}")
+    rs.live(tmp_path / "titled.yaml", scene).write(tmp_path / "live.html")
+    text = (tmp_path / "live.html").read_text()
+    data = json.loads(re.search(r'id="data">(.*?)</script>', text).group(1))
+    assert [(each["title"], each["sentence"]) for each in data["scenes"]] == [
+        ("Two kinds", "One sees them part."), ("scene", "")]
+    for name in pages.OFFERED:
+        title, sentence = pages.heading(rs.Scene.load(pages.SHARE / f"config/{name}.yaml"), "")
+        assert 4 < len(title) < 40 and sentence.endswith("."), name
+
+
 def test_without_an_engine_it_says_how_it_is_compiled(scene, engine, tmp_path):
     with pytest.raises(FileNotFoundError, match=r"engine\.wasm is missing: \./scripts/live"):
         rs.live(scene).write(tmp_path / "live.html")

@@ -113,7 +113,7 @@ def test_pour_takes_a_name_or_a_number(layer):
         simulation.pour(2, 1)
     simulation.pour("A", 3, between=(0.1, 0.11))
     assert ((simulation.disks["x"][-3:] >= 0.1) & (simulation.disks["x"][-3:] <= 0.11)).all()
-    for wrong in (-0.1, 0.1), (0.2, 0.1):
+    for wrong in (-0.1, 0.1), (0.2, 0.1), (0.1,), 0.1, ("a", 0.1):
         with pytest.raises(ValueError, match="between"):
             simulation.pour("A", 1, between=wrong)
 

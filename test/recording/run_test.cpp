@@ -8,9 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "collecting_sink.h"
-#include "ratchet_sieve/recording/version.h"
-#include "ratchet_sieve/scene/canonical_scene.h"
-#include "ratchet_sieve/scene/scene_file.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -282,6 +279,20 @@ TEST(Run, ShowsPeriodsThatBeganWhileSomebodyListened)
     }
   }
   EXPECT_GT(windows, 20u);
+}
+
+TEST(BinFrame, CountsAndRates)
+{
+  Simulation simulation(smallMixture());
+  EXPECT_FALSE(makeBinFrame(simulation).quality);
+  EXPECT_FALSE(makeBinFrame(simulation).processed);
+  simulation.advanceTo(2.0);
+  const BinFrame frame = makeBinFrame(simulation);
+  EXPECT_EQ(frame.species, (std::vector<std::string>{"A", "B"}));
+  ASSERT_GT(frame.bins[0].counted() + frame.bins[1].counted(), 0u);
+  EXPECT_EQ(frame.bins[0].counted() + frame.bins[0].on_base, 6u);
+  EXPECT_EQ(frame.processed, processedRatio(frame.bins));
+  EXPECT_EQ(frame.quality, bestSeparation(frame.bins).quality());
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ protected:
 
   /// Starts a run of many collisions, and runs `script` once it has written some: its process is $run.
   int whileItRuns(const std::string& arguments, const std::string& script,
-                  const std::string& before = "") const
+                  const std::string& before = "env --default-signal=HUP ") const
   {
     return shell(before + std::string(std::getenv("SIEVE_RUN")) + " " + arguments + " --summary " +
                  (written_ / "s.json") + " --collisions " + (written_ / "c.csv") +

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "ratchet_sieve/recording/checkpoint.h"
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "small_scenes.h"

@@ -88,6 +88,7 @@ private:
     for (const std::string& argument : arguments)
       argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
+    signal(SIGHUP, SIG_DFL);  // also where the tests themselves run under nohup
     execv(path.c_str(), argv.data());
     _exit(127);
   }

@@ -7,7 +7,6 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include "node_reports.h"
-#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "scene_parameters.h"
 #include "sieve_client.h"

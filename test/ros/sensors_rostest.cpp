@@ -8,7 +8,6 @@
 #include <sensor_msgs/JointState.h>
 #include <std_srvs/Trigger.h>
 
-#include "ratchet_sieve/Command.h"
 #include "ratchet_sieve/DeckLevel.h"
 #include "ratchet_sieve/DiskCounts.h"
 #include "ratchet_sieve/SetFault.h"
@@ -18,6 +17,8 @@ namespace ratchet_sieve
 {
 namespace
 {
+using CommandMessage = MessageOf<CommandFrame>;
+
 constexpr double DURATION = 3.0;  // s
 
 XmlRpc::XmlRpcValue tree(const std::vector<std::pair<std::string, XmlRpc::XmlRpcValue>>& entries)
@@ -194,9 +195,9 @@ TEST_F(Sensed, failAtTheExactTime)
 
 TEST_F(Sensed, drivesWaitAndTheRunIsRepeatedBitForBit)
 {
-  std::vector<Command> commands;
-  const ros::Subscriber listener = sieve_.node.subscribe<Command>(
-      "commands", 1000, [&](const Command::ConstPtr& command) { commands.push_back(*command); });
+  std::vector<CommandMessage> commands;
+  const ros::Subscriber listener = sieve_.node.subscribe<CommandMessage>(
+      "commands", 1000, [&](const CommandMessage::ConstPtr& command) { commands.push_back(*command); });
   sensor_msgs::JointState joint;
   const ros::Subscriber joints = sieve_.node.subscribe<sensor_msgs::JointState>(
       "joint_states", 1000, [&](const sensor_msgs::JointState::ConstPtr& message) { joint = *message; });
@@ -205,8 +206,10 @@ TEST_F(Sensed, drivesWaitAndTheRunIsRepeatedBitForBit)
   ASSERT_TRUE(waitFor([&] { return sieve_.base.frames.back().time == 0.5; }));
   EXPECT_EQ(sieve_.base.frames.back().base.commanded_inclination, 0.01);  // the offset
   sieve_.publish("inclination", 0.1);
-  const auto asked = [&] {
-    return !commands.empty() && commands.back().kind == Command::INCLINATION && commands.back().time == 0.5;
+  const auto asked = [&]
+  {
+    return !commands.empty() && commands.back().kind == CommandMessage::INCLINATION &&
+           commands.back().time == 0.5;
   };
   ASSERT_TRUE(waitFor(asked));
   EXPECT_EQ(commands.back().values, (std::vector<double>{0.1, 0.01}));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -36,6 +37,7 @@ protected:
       return child;
     dup2(open(output_path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), STDOUT_FILENO);
     dup2(open(errors_path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), STDERR_FILENO);
+    signal(SIGHUP, SIG_DFL);  // also where the tests themselves run under nohup
     execv(argv[0], argv.data());
     _exit(127);
   }

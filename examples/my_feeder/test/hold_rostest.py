@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""hold.py as it is launched, in step: with exact sensors and drives, with those of a real machine, with one that fails."""
+"""hold.py as it is launched, in step: with exact sensors and drives, those of a machine, and one that is stuck."""
 import unittest
 
 import rospy
@@ -53,8 +53,11 @@ class Line:
 
 
 class TestHold(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.exact, cls.real = Line('exact'), Line('real')
+
     def holds(self, line, within):
-        line = Line(line)
         line.begin()
         run = line.run(180.0)
         self.assertAlmostEqual(line.purity_since(80.0), 0.62, delta=within)
@@ -62,13 +65,13 @@ class TestHold(unittest.TestCase):
         self.assertEqual(line.run(40.0), run[:80])
 
     def test_with_exact_sensors(self):
-        self.holds('exact', 0.02)
+        self.holds(self.exact, 0.02)
 
     def test_with_those_of_a_real_machine(self):
-        self.holds('real', 0.03)
+        self.holds(self.real, 0.03)
 
     def test_a_sensor_that_is_stuck_is_noticed(self):
-        line = Line('real')
+        line = self.real
         for sensor in ('right/count', 'right/scale'):
             line.begin()
             self.assertGreater(min(line.run(60.0)[-20:]), 0.02)

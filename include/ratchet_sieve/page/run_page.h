@@ -41,7 +41,8 @@ public:
   /// Writes the page, and commits its file. @param title such as the name of the scene's file
   /// @param summary of the run: its warnings and steady state are shown, and the warnings that follow from
   /// the scene; may be empty @throws AnalysisError if no scene was taken @throws OutputError
-  void write(AtomicFile&& file, const std::string& title, const nlohmann::ordered_json& summary = nlohmann::ordered_json::object()) const;
+  void write(AtomicFile&& file, const std::string& title,
+             const nlohmann::ordered_json& summary = nlohmann::ordered_json::object()) const;
 
 private:
   void begin(const SceneFrame& frame);

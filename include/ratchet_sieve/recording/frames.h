@@ -193,8 +193,8 @@ struct CommandFrame
 {
   double time = 0.0;
   CommandKind kind = CommandKind::PAUSE;
-  /// The setpoint [rad, Hz, m] and, where a drive gives the base another value, this; for SLEW_RATES the three
-  /// rates [unit/s]; for POUR both ends of its stretch [m], or nothing: see pouredBetween().
+  /// The setpoint [rad, Hz, m] and, where a drive gives the base another value, this; for SLEW_RATES the
+  /// three rates [unit/s]; for POUR both ends of its stretch [m], or nothing: see pouredBetween().
   std::vector<double> values;
   std::uint32_t species = 0;  ///< of POUR
   std::uint32_t count = 0;    ///< of POUR

@@ -32,8 +32,8 @@ def separate(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, within
               they have. The last 40 % of it are for the best with fresh seeds. None: as long as it takes
     goal      a column of a sweep's results (docs/sweeps.md) that is to be large, such as "purity.left.mass.A", in
               place of the separation; `within` is then required, in its units
-    unknown   key -> (low, high), or (value, "±", error at 95 %): of what is not known each run draws its own. The search
-              finds what is best on the mean. None: of Grains that calibrate() gave, what they leave unknown
+    unknown   key -> (low, high), or (value, "±", error at 95 %): of what is not known each run draws its own. The
+              search finds what is best on the mean. None: of Grains that calibrate() gave, what they leave unknown
     seed      of the search and of the runs: the same gives the same answer, where no budget ends it
     results   file that keeps the runs (SQLite): the same call continues. None: kept nowhere
     threads   0: one per processor

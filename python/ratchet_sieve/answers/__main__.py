@@ -105,8 +105,8 @@ def run(options):
     options.db = options.db or pathlib.Path(pathlib.Path(options.scene).stem + ".separate.db")
     scene.require_other(*((f"--{name}", getattr(options, name)) for name in ("db", "html", "json", "plot", "best")))
     answer = rs.separate(scene, read_over(options.over), within=options.within, budget=options.budget,
-                         goal=options.goal, unknown=read_unknown(options.unknown), seed=options.seed, threads=options.threads,
-                         results=options.db)
+                         goal=options.goal, unknown=read_unknown(options.unknown), seed=options.seed,
+                         threads=options.threads, results=options.db)
     print(f"sieve_separate: the runs are kept in {options.db}; the same command continues", file=sys.stderr)
     writers = [functools.partial(answer.write, path) for path in (options.html, options.json, options.plot) if path]
     if options.best and answer.best:

@@ -173,7 +173,8 @@ class Answer:
         """What the worst of those that are as good may lose."""
         most, value = self.as_good.may_lose.max(), abs(self.separation.value)
         bounded = self.machine.is_signed or self.machine.share_goal
-        return "the worst of them may lose " + (f"all of the {value:.2g}" if bounded and most >= value else at_most(most))
+        loss = f"all of the {value:.2g}" if bounded and most >= value else at_most(most)
+        return f"the worst of them may lose {loss}"
 
     def _region(self) -> str:
         part = len(self.as_good) / max(len(self.map), 1)

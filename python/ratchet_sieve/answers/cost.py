@@ -40,8 +40,8 @@ def announce(search, seconds, fresh, error):
 
 
 def short_runs(machine, places, seed, threads, limit=OF_A_RUN):
-    """@param limit of them [s of wall time] @return how long a run must be, as a rule, and what a simulated second of it
-    costs [s of wall time]"""
+    """@param limit of them [s of wall time]
+    @return how long a run must be, as a rule, and what a simulated second of it costs [s of wall time]"""
     begin = time.monotonic()
     rows = machine.run(places, np.full(len(places), machine.plain), (seed + SEEDS - 1, 1), budget=limit,
                        threads=threads)
@@ -83,7 +83,8 @@ def lift_off_text(machine, place):
     lift = machine.lift(place)
     if machine.kind != "fed" or not 1.0 <= lift < LIFT_OFF:
         return []
-    return [f"the base's peak acceleration is {lift:.3g} g there: near 1 a machine that works may fill up after minutes"]
+    return [f"the base's peak acceleration is {lift:.3g} g there: near 1 a machine that works may fill up after "
+            "minutes"]
 
 
 def _edge(machine, place, k, low, high):

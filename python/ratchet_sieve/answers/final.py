@@ -7,10 +7,10 @@ import pandas
 from ratchet_sieve import stats
 from ratchet_sieve.answers.answer import Answer, Interval
 from ratchet_sieve.answers.cost import announce, duration, fills, idle_text, lift_off_text, whys
-from ratchet_sieve.answers.machine import LEAST_WORKING, flow_of
 from ratchet_sieve.answers.depends import PART, Dependence, known_text, screening
 from ratchet_sieve.answers.intervals import interval_of, products_of
-from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z, usual_length
+from ratchet_sieve.answers.machine import LEAST_WORKING, flow_of
+from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
 from ratchet_sieve.texts import at_most, counted
 from ratchet_sieve.values import Values
 
@@ -45,7 +45,9 @@ def answer_of(search, budget, bar):
         _first_runs(search, bar)
         while True:
             _search(search, bar, announced)
-            late = search.is_late()
+            late = search.is_cut_short = search.is_late()
+            if late:
+                search.assess()
             search.deadline = budget.end
             if search.nowhere() or _fresh_runs(search, bar, fresh, notes):
                 break
@@ -69,6 +71,7 @@ def answer_of(search, budget, bar):
 
 def _interrupted(search, bar, fresh, begin):
     """One short round of fresh runs, which a second interrupt ends. Raises KeyboardInterrupt where nothing is known."""
+    search.is_cut_short = True
     if not search.assess(best=search.best if len(fresh.rows) else None):
         raise KeyboardInterrupt
     if len(fresh.rows) >= FRESH:
@@ -130,8 +133,6 @@ def _first_runs(search, bar):
             search.measure(first[k:k + BATCH], units[k:k + BATCH])
             if search.is_late():
                 break
-            if doublings == 0:  # the others need not begin with runs that are too short
-                units = np.maximum(units, usual_length(search.machine, search.runs))
         doublings += 1
         first, units = search.unsettled() if len(search.runs) else (first, units)
 

@@ -119,7 +119,7 @@ class Grains:
         return draw(self)
 
     def as_json(self) -> dict:
-        """As `sieve_calibrate --json` writes it; what is undefined is None."""
+        """As JSON takes it; what is undefined is None."""
         return {"grains": {key: dataclasses.asdict(self[key]) for key in self.keys}, "agrees": self.agrees,
                 "chi_squared": self.chi_squared, "numbers": len(self.table), "cost": self.cost,
                 "correlations": self.correlations.to_dict() if self.agrees else None,

@@ -16,7 +16,7 @@ from ratchet_sieve.tables import writing
 FED = 400              # disks that the shortest run of a fed machine is given
 PERIODS = 40.0         # of the drive, in which a choked one is found to be so
 RESIDENCES = 10.0      # mean times in the machine that a run of a fed machine lasts, once they are known
-LEAST_RESIDENCES = 6.6  # a shorter one does not settle
+LEAST_RESIDENCES = 8.0  # a shorter one may not settle
 LONGEST = 40.0         # such a run over the shortest one
 GROWTH = 4.0           # a run that has not settled is run again longer by so much at most
 MARGIN = 1.1           # of such a run's length, over what the run before it says is needed

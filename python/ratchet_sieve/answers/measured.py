@@ -138,7 +138,8 @@ def _numbers(row: int, name: str, cells: dict, species: list[str]) -> list[Numbe
             found.append(Number(row, f"share.{place}.{kind}", *map(float, _share(part, whole)), whole))
     for key, value in cells.items():
         if key.split(".")[0] not in PLACES and not _is_error(key):
-            error = cells.get(key + STDERR, cells.get(key.replace(VELOCITY, VELOCITY_STDERR, 1)) if VELOCITY in key else None)
+            error = cells.get(key + STDERR, cells.get(key.replace(VELOCITY, VELOCITY_STDERR, 1), None)
+                              if key.startswith(VELOCITY) else None)
             found.append(Number(row, key, float(value), None if error is None else error ** 2))
     if not found:
         raise ValueError(f"{name}: nothing was measured: give counts, such as left.{species[0]}, right.{species[0]}")

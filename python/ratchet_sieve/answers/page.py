@@ -4,6 +4,7 @@ from __future__ import annotations
 import base64
 import io
 import json
+import os
 from typing import Any
 
 from ratchet_sieve import _engine
@@ -18,9 +19,9 @@ def page_of(answer: Any) -> str:
     scene = answer.machine.scene
     return _engine.answer_page(json.dumps({
         "title": f"Which settings part {' and '.join(scene.species)}", "result": result,
-        "origin": f"{scene.source or 'A scene'}, seed {scene.seed}, ratchet_sieve {_engine.__version__}",
+        "origin": f"{os.path.basename(scene.source)}, seed {scene['seed']}, ratchet_sieve {_engine.__version__}",
         "lines": lines, "picture": answer.best and _picture(answer), "scene": answer.best and answer.scene.yaml,
-        "tables": [table(answer) for table in (_as_good, _stages, _batch) if answer.best and table(answer)]}))
+        "tables": [table(answer) for table in (_as_good, _depends, _stages, _batch) if answer.best and table(answer)]}))
 
 
 def _picture(answer: Any) -> dict:
@@ -45,6 +46,16 @@ def _as_good(answer: Any) -> dict:
     return {"title": "Settings that are as good", "rows": rows,
             "note": "By the surface through all runs, at 95 %; P, throughput and disks inside: of the nearest run.",
             "head": [*heads, goal + unit, "may lose" + unit, "P", "throughput [1/s]", "disks inside", "warnings"]}
+
+
+def _depends(answer: Any) -> Any:
+    if answer.depends_on is None or not len(answer.depends_on):
+        return None
+    low, high = answer.spread
+    return {"title": "What is not known of the grains", "head": ["key", "share of the variance", "standard error"],
+            "note": f"{answer.machine.goal} from {low:.3g} to {high:.3g} for 95 % of what the unknown keys leave open.",
+            "rows": [[row["key"], f"{row['share']:.2f}", f"{row['error']:.2f}"]
+                     for row in answer.depends_on.to_dict("records")]}
 
 
 def _stages(answer: Any) -> Any:

@@ -9,7 +9,7 @@ from scipy import stats
 
 from ratchet_sieve.answers.places import spread
 
-FIRST, EACH = 4096, 2048  # places: spread over the ranges, and of each proposal
+FIRST, EACH = 4096, 1024  # places: spread over the ranges, and of each proposal
 PROPOSALS = 5
 WIDER = 1.5       # a proposal's variance over that of the weights
 LEAST = 20.0      # of the weights, the effective number for each range that a proposal is made from

@@ -12,7 +12,7 @@ import time
 import numpy as np
 import pandas
 
-from ratchet_sieve.answers.machine import CUT, LEAST_RESIDENCES, LONGEST, RESIDENCES
+from ratchet_sieve.answers.machine import CUT, FILLING, LEAST_RESIDENCES, LONGEST, RESIDENCES
 from ratchet_sieve.answers.places import spread
 from ratchet_sieve.answers.surface import Surface
 from ratchet_sieve.arguments import integer
@@ -29,11 +29,14 @@ COSTLIEST = 200.0  # events that a simulated second may take, over the median of
 SHAPE = ("base.teeth", "base.tooth", "base.asymmetry", "base.length", "base.phase")  # does not decide what is thrown
 RATES = 20.0      # scale of the logarithm of that: of its surface over the ranges
 RATES_VARIANCE = 0.1  # of what one run says of it
-OPEN_COST = 10.0  # of a run where the machine has not settled, over the upper quartile of the first runs
+OPEN_COST = 20.0  # of a run where the machine has not settled, over the upper quartile of the first runs
+GROWS = 2.0       # what a second costs once the machine has filled, over what it costs while it fills
 LONG_COST = 50.0  # of a run that is longer than the shortest, over the median of the first runs
+UNSEEN_COST = 8.0  # the same where no run has been: the machine may fill up there
 SEEDS = 1_000_000  # of the scenes between two seeds of the search; the second half of them is for fresh runs
 MOST_SEED = 10 ** 12
 UNKNOWN_ERRORS = 3.0  # standard deviation of the logarithm of their variance, for a goal of the user's
+NEAR = 1e-12      # squared distance of a place from itself
 LIFT_OFF = 1.1    # peak acceleration, over gravity, below which a machine that works may fill up after minutes
 SINGLE = 1.0      # variance of the separation, times the disks that have left
 
@@ -44,6 +47,7 @@ class Search:
     by how much each may be better than the best; `works`, whether the machine does or a longer run may show it; `why`
     not; bound of the value anywhere
     @ivar idle places that are left out: their drive throws no disk up
+    @ivar is_cut_short whether the best must be a place where a run has settled, for none will be run to see it
     @ivar deadline of time.monotonic(), at which runs end, or None. @ivar show function of a text about the runs"""
 
     def __init__(self, machine, within, seed, deadline=None, **options):
@@ -62,6 +66,7 @@ class Search:
         self._costs = Surface(len(machine.keys), RATES)
         self.rounds = 0
         self.show = lambda done: None
+        self.is_cut_short = False
         self._first = None
         self._closed = {}
 
@@ -112,7 +117,8 @@ class Search:
     def _longer(self, seen):
         """Machine.longer() of each run; infinite as well where that is too costly."""
         (units, at_last), rate = self.machine.longer(self.runs, seen), seen["rate"].to_numpy()
-        fits = at_last * rate <= OPEN_COST * np.quantile(rate[:len(self.first())], 0.75)
+        grows = np.where(seen["why"] == FILLING, GROWS, 1.0)
+        fits = grows * at_last * rate <= OPEN_COST * np.quantile(rate[:len(self.first())], 0.75)
         return np.where(fits | (seen["why"] == CUT), units, np.inf)
 
     def _run(self, places, durations, seeds, *others):
@@ -189,7 +195,9 @@ class Search:
         self.value, variance, half = self._surface.at(self.grid)
         self.error = np.sqrt(variance)
         height = np.abs(self.value) if self.machine.is_signed else self.value
-        height = np.where(self.works, height - self._handicap, -np.inf)
+        self._is_seen = distance.min(axis=1) < NEAR
+        settled = self.works & defined[nearest] & (self._is_seen | (not self.is_cut_short))
+        height = np.where(settled if settled.any() else self.works, height - self._handicap, -np.inf)
         self.best = int(height.argmax()) if best is None else best
         self.may = self._may(self._surface, variance, half)
         up = np.copysign(1.0, self.value[self.best]) if self.machine.is_signed else 1.0
@@ -250,7 +258,7 @@ class Search:
     def _challengers(self, units):
         """@return map from the number of a place to its runs"""
         cost = self._rate * units
-        most = np.maximum(LONG_COST * self._usual / cost, 1.0)
+        most = np.maximum(np.where(self._is_seen, LONG_COST, UNSEEN_COST) * self._usual / cost, 1.0)
         picks, places, errors = {}, [], []
         may, error = self.may, self.error
         sign_is_known = abs(self.value[self.best]) > ANYWHERE * error[self.best]
@@ -262,7 +270,7 @@ class Search:
             if over.max() <= 0.0:
                 break
             k = int(np.where(over > 0.0, (over + 0.2) / cost, 0.0).argmax())
-            if error[self.best] > error[k]:
+            if error[self.best] > error[k] and most[self.best] >= 1.0:
                 k = self.best
             picks[k] = picks.get(k, 0) + 1
             most[k] -= 1.0

@@ -6,6 +6,7 @@ from ratchet_sieve.plots.means import label
 from ratchet_sieve.plots.style import COLOURS, GREY, drawing
 
 SIZE = (6.4, 4.2)  # [inches]
+ABOVE = 42.0  # of a title, for the legend [points]
 SILENT = ("x", "+", "1", "2", "3", "4")  # markers of runs that give no answer
 RUNS = {"marker": "o", "linestyle": "", "color": GREY, "markersize": 4, "markeredgecolor": "white",
         "markeredgewidth": 0.6}
@@ -19,7 +20,7 @@ def draw(answer, axes=None):
         {1: _curve, 2: _map}.get(len(keys), _points)(axes, answer, *keys[:2])
         axes.set_xlabel(label(keys[0]))
         if not answer.separated:
-            axes.set_title(str(answer).splitlines()[0])
+            axes.set_title(str(answer).splitlines()[0], pad=6.0 if len(keys) == 1 else ABOVE)
         return axes
 
 

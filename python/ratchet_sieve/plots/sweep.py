@@ -15,7 +15,8 @@ from ratchet_sieve.plots.program import parser_of, run_program
 from ratchet_sieve.plots.style import GREY, panels, save
 from ratchet_sieve.plots.sweep_page import pages_of, report_of
 from ratchet_sieve.tables import (
-    QUALITIES, QUALITY, STEADY_QUALITY, Refusal, column_of, departed, read_csv, read_rows, throughput, typed, write_csv, write_each, write_text)
+    QUALITIES, QUALITY, STEADY_QUALITY, Refusal, column_of, departed, read_csv, read_rows, throughput, typed, write_csv,
+    write_each, write_text)
 from ratchet_sieve.texts import counted
 
 MOST_CURVES = STEPS  # in one picture

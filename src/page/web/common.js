@@ -1,7 +1,5 @@
 /** The element with an id. */
-function byId(id) {
-  return document.getElementById(id);
-}
+function byId(id) { return document.getElementById(id); }
 
 /**
  * A new element. Strings among the children are text, never markup.
@@ -113,19 +111,13 @@ function quantity(value, unit = '', digits = 4) {
 }
 
 /** s, Q, P and shares, to three decimals. */
-function ratio(value) {
-  return value === null || value === undefined ? UNDEFINED : value.toFixed(3).replace('-', '\u2212');
-}
+function ratio(value) { return value === null || value === undefined ? UNDEFINED : value.toFixed(3).replace('-', '\u2212'); }
 
 /** A share. */
-function percent(share) {
-  return `${(100 * share).toFixed(0)}\u00a0%`;
-}
+function percent(share) { return `${(100 * share).toFixed(0)}\u00a0%`; }
 
 /** A number of things. */
-function countText(count, thing) {
-  return `${count} ${thing}${count === 1 ? '' : 's'}`;
-}
+function countText(count, thing) { return `${count} ${thing}${count === 1 ? '' : 's'}`; }
 
 /** What symbols mean. */
 const MEANINGS = {
@@ -139,9 +131,7 @@ const MEANINGS = {
 };
 
 /** A symbol that says what it means when one points at it. */
-function symbol(name) {
-  return element('abbr', {title: MEANINGS[name]}, name);
-}
+function symbol(name) { return element('abbr', {title: MEANINGS[name]}, name); }
 
 /** A value and its standard error. */
 function withError(value, error, unit, scale = 1) {
@@ -153,9 +143,7 @@ function withError(value, error, unit, scale = 1) {
 }
 
 /** A time to the millisecond. */
-function seconds(time) {
-  return time.toFixed(3) + '\u00a0s';
-}
+function seconds(time) { return time.toFixed(3) + '\u00a0s'; }
 
 /** The place of the last number that is not above `value` in ascending numbers; -1: there is none. */
 function lastNotAbove(numbers, value) {
@@ -180,9 +168,7 @@ function colourOf(k) {
 }
 
 /** Whether k has the colour of an earlier one: its disks are hollow, and its lines dotted. */
-function isRepeated(k) {
-  return k >= PALETTE.length;
-}
+function isRepeated(k) { return k >= PALETTE.length; }
 
 /** The dashes of a line of k as an option of uPlot. @param {boolean} isOther of two lines of k */
 function dashesOf(k, isOther = false) {
@@ -191,9 +177,7 @@ function dashesOf(k, isOther = false) {
 }
 
 /** A colour of the style sheet, such as --line. */
-function themeColour(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-}
+function themeColour(name) { return getComputedStyle(document.documentElement).getPropertyValue(name).trim(); }
 
 /** Calls back when the colours change: light, dark, print. */
 function onThemeChange(callback) {

@@ -45,7 +45,9 @@ class Advice {
     const whole = jobs.length;
     const count = Math.min(MOST_WORKERS, Math.max(1, (navigator.hardwareConcurrency || 2) - 1));
     byId('advise').textContent = 'Stop';
-    const workers = this.workers = await Promise.all(Array.from({length: count}, () => EngineWorker.compiled()));
+    const workers = await Promise.all(Array.from({length: count}, () => EngineWorker.compiled()));
+    if (this.page.settings !== run || this.workers.length) return workers.forEach(({worker}) => worker.terminate());
+    this.workers = workers;
     await Promise.all(workers.map(async (worker) => {
       for (let job = jobs.pop(); job && this.workers === workers; job = jobs.pop()) {
         byId('advised').textContent = `${whole - jobs.length} of ${whole} runs of ${ADVICE_TIME} s`;

@@ -50,9 +50,7 @@ class Beside {
     byId('beside-setpoint').append(slider.part);
   }
 
-  get isBusy() {
-    return this.engine !== null && this.engine.waiting.length > 0;
-  }
+  get isBusy() { return this.engine !== null && this.engine.waiting.length > 0; }
 
   /** Pours it anew beside a run. */
   open(settings, run) {
@@ -74,10 +72,8 @@ class Beside {
       this.engine.ask('order', {order});
     }
     const answer = await this.engine.ask('advance', {to: time});
-    if (this.engine && answer.run === this.run && answer.disks) this.take(answer);
-  }
-
-  take({readings, disks}) {
+    if (!this.engine || answer.run !== this.run || !answer.disks) return;
+    const {readings, disks} = answer;
     if (this.picture) this.shown.take(readings, disks, null);
     else {
       this.shown = new LiveRun(this.offered.machine, readings, disks);

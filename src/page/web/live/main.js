@@ -21,9 +21,7 @@ class LivePage extends MachinePage {
     });
   }
 
-  async start() {
-    this.engine = this.player.engine = await EngineWorker.compiled((answer) => this.take(answer));
-  }
+  async start() { this.engine = this.player.engine = await EngineWorker.compiled((answer) => this.take(answer)); }
 
   /**
    * Pours a scene.
@@ -64,9 +62,7 @@ class LivePage extends MachinePage {
   }
 
   /** Pours anew, with the setpoints that the run has now. */
-  restart(change = {}) {
-    return this.open({...this.settings, schedule: this.panel.commands(), ...change});
-  }
+  restart(change = {}) { return this.open({...this.settings, schedule: this.panel.commands(), ...change}); }
 
   step() {
     this.player.pause();
@@ -130,14 +126,12 @@ class LivePage extends MachinePage {
     return {left: 0, top: header.bottom - stage.top, right: isBeside ? stage.right - panel.left : 0, bottom: 0};
   }
 
-  resultText() {
-    return this.player.time > 0 || this.player.playing ? super.resultText() : 'press Play';
-  }
+  resultText() { return this.player.time > 0 || this.player.playing ? super.resultText() : 'press Play'; }
 
   show() {
     super.show();
     if (!this.run) return;
-    this.panel.show(this.run.readings, this.schedule, this.run.motion.ids.length, this.player.factor);
+    this.panel.show(this.run.readings, this.schedule, this.run.motion.ids.length, this.player.playing ? this.player.factor : null);
     this.panel.say(this.error, this.run.readings);
     this.beside.draw();
     if (!this.player.playing) this.showProgram();
@@ -148,13 +142,9 @@ class LivePage extends MachinePage {
     this.curves.update(Math.max(this.player.time, 0.1));
   }
 
-  showProgram() {
-    if (this.run) byId('python').textContent = this.program();
-  }
+  showProgram() { if (this.run) byId('python').textContent = this.program(); }
 
-  program() {
-    return programOf(this.settings, this.schedule, this.run.readings.time);
-  }
+  program() { return programOf(this.settings, this.schedule, this.run.readings.time); }
 
   async link() {
     location.hash = await fragmentOf(this.settings, this.schedule);

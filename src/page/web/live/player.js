@@ -66,9 +66,4 @@ class LivePlayer extends Player {
     };
     requestAnimationFrame(step);
   }
-
-  pause() {
-    this.factor = null;
-    super.pause();
-  }
 }

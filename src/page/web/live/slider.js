@@ -9,9 +9,7 @@ function setpointText(value, unit) {
 }
 
 /** A power of ten that divides a range into 1000 steps or more. */
-function stepOf(range) {
-  return 10 ** (Math.floor(Math.log10(range)) - 3);
-}
+function stepOf(range) { return 10 ** (Math.floor(Math.log10(range)) - 3); }
 
 /**
  * A slider of a commanded quantity. While it moves it gives a command now and then, and the last value for certain. Else

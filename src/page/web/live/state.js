@@ -14,9 +14,7 @@ class LiveBase extends Base {
       inclination: [state.inclination, state.commanded_inclination]};
   }
 
-  stateAt() {
-    return this.state;
-  }
+  stateAt() { return this.state; }
 
   poseAt() {
     const {horizontal_displacement: x, displacement: y, inclination} = this.state;
@@ -53,18 +51,12 @@ class LiveMotion {
     for (let track = 0; track < this.ids.length; ++track) action(track, this.x[track], this.y[track], this.angle[track]);
   }
 
-  trackOf(id) {
-    return this.ids.indexOf(id);
-  }
+  trackOf(id) { return this.ids.indexOf(id); }
 
-  pathOf(track, from, to) {
-    return this.trail.filter(([, , time]) => from <= time && time <= to);
-  }
+  pathOf(track, from, to) { return this.trail.filter(([, , time]) => from <= time && time <= to); }
 
   /** As high as the picture goes. */
-  top() {
-    return Infinity;
-  }
+  top() { return Infinity; }
 }
 
 /** What the curves show: columns over time that grow. The last row is the present one. */

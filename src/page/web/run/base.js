@@ -75,9 +75,7 @@ class Base {
   }
 
   /** The inverse of seenFrom. */
-  static inWorld(pose, s, n) {
-    return [pose.x + s * pose.cosine - n * pose.sine, pose.y + s * pose.sine + n * pose.cosine];
-  }
+  static inWorld(pose, s, n) { return [pose.x + s * pose.cosine - n * pose.sine, pose.y + s * pose.sine + n * pose.cosine]; }
 
   /** Corners in the frame of the base: along it, and normal to it. */
   outline() {
@@ -87,9 +85,7 @@ class Base {
     return corners;
   }
 
-  get isPeriodic() {
-    return this.machine.boundary === 'periodic';
-  }
+  get isPeriodic() { return this.machine.boundary === 'periodic'; }
 
   /** Calls back with both ends of each face that a disk over s can reach. */
   forEachFace(s, radius, action) {

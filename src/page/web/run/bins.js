@@ -15,14 +15,10 @@ class BinSeries {
   }
 
   /** Disks of a species in one of left, right, on_base. */
-  count(species, place, time) {
-    return this.at(time, place, this.bins.species[species]);
-  }
+  count(species, place, time) { return this.at(time, place, this.bins.species[species]); }
 
   /** All disks in a bin. */
-  total(bin, time) {
-    return this.bins.species.reduce((sum, species) => sum + this.at(time, bin, species), 0);
-  }
+  total(bin, time) { return this.bins.species.reduce((sum, species) => sum + this.at(time, bin, species), 0); }
 
   /** What a bin holds, in two lines: how many disks, and the share of the kind that most are of. */
   labelOf(bin, time, species) {

@@ -46,9 +46,7 @@ class Curves {
     return [[...time, this.end], ...columns.map((column) => [...column, column[column.length - 1]])];
   }
 
-  static stepped(label, colour, more = {}) {
-    return {label, stroke: colour, paths: uPlot.paths.stepped({align: 1}), ...more};
-  }
+  static stepped(label, colour, more = {}) { return {label, stroke: colour, paths: uPlot.paths.stepped({align: 1}), ...more}; }
 
   qualities() {
     const bins = this.series.bins;
@@ -131,7 +129,5 @@ class Curves {
   }
 
   /** @param {string} what redraw, resize or remove */
-  all(what) {
-    for (const chart of this.charts) chart[what]();
-  }
+  all(what) { for (const chart of this.charts) chart[what](); }
 }

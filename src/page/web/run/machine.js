@@ -28,13 +28,9 @@ class MachinePage {
   }
 
   /** What covers the picture at its edges [pixels]. */
-  insets() {
-    return {left: 0, top: 0, right: 0, bottom: 0};
-  }
+  insets() { return {left: 0, top: 0, right: 0, bottom: 0}; }
 
-  resultText() {
-    return sortedText(this.player.time, this.bins, this.curves.series.velocities, this.picture.base.machine);
-  }
+  resultText() { return sortedText(this.player.time, this.bins, this.curves.series.velocities, this.picture.base.machine); }
 
   /** @param {Curves} curves of the same run */
   showMachine(base, motion, bins, curves) {

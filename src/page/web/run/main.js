@@ -45,13 +45,9 @@ class RunPage extends MachinePage {
   }
 
   /** Of the end of the run. */
-  resultText() {
-    return sortedText(Infinity, this.bins, this.curves.series.velocities, this.picture.base.machine);
-  }
+  resultText() { return sortedText(Infinity, this.bins, this.curves.series.velocities, this.picture.base.machine); }
 
-  drawCurves() {
-    this.curves.all('redraw');
-  }
+  drawCurves() { this.curves.all('redraw'); }
 
   keysOf() {
     const {player} = this;

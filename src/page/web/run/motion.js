@@ -40,9 +40,7 @@ class ColumnReader {
 }
 
 /** The share of a time that has gone by; 1 of none. */
-function shareOf(elapsed, whole) {
-  return whole > 0 ? elapsed / whole : 1;
-}
+function shareOf(elapsed, whole) { return whole > 0 ? elapsed / whole : 1; }
 
 /**
  * The disks over time. Positions in the world frame [m].
@@ -119,9 +117,7 @@ class Motion {
   }
 
   /** The place of the last frame that is not after a time. */
-  frameAt(time) {
-    return Math.max(0, lastNotAbove(this.times, time));
-  }
+  frameAt(time) { return Math.max(0, lastNotAbove(this.times, time)); }
 
   /**
    * Calls back with each disk at a time: its track, x, y and angle.
@@ -226,7 +222,7 @@ class Motion {
   top() {
     const share = 0.999;
     const every = Math.ceil(this.y.length / MOST_HEIGHTS);
-    const heights = this.y.filter((y, k) => k % every === 0).sort();
+    const heights = Float32Array.from({length: Math.floor(this.y.length / (every || 1))}, (_, k) => this.y[k * every]).sort();
     let top = heights.length ? heights[Math.floor(share * (heights.length - 1))] : -Infinity;
     for (let track = 0; track < this.ids.length; ++track)
       if (this.firstFrames[track] === 0) top = Math.max(top, this.y[this.starts[track]] + this.radii[track]);

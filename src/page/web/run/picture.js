@@ -106,9 +106,7 @@ class Picture {
     for (const corner of [[0, this.depth], ...base.outline(), [base.width, this.depth]]) this.body.lineTo(...corner);
   }
 
-  get binWidth() {
-    return this.bins.areUsed ? BIN_WIDTH * this.base.width : 0;
-  }
+  get binWidth() { return this.bins.areUsed ? BIN_WIDTH * this.base.width : 0; }
 
   /** Says what else covers the canvas at its edges. */
   cover(insets) {
@@ -116,9 +114,7 @@ class Picture {
     if (this.view.isFirst) this.showFirst();
   }
 
-  fillBins() {
-    this.heaps = this.bins.areUsed ? heapsOf(this.bins, this.base.machine.species, this.binWidth) : null;
-  }
+  fillBins() { this.heaps = this.bins.areUsed ? heapsOf(this.bins, this.base.machine.species, this.binWidth) : null; }
 
   /** Makes the whole machine what it is now. */
   fit() {
@@ -339,9 +335,7 @@ class Picture {
     return disks;
   }
 
-  diskAt(time, condition) {
-    return this.disksAt(time).find(condition) || null;
-  }
+  diskAt(time, condition) { return this.disksAt(time).find(condition) || null; }
 
   /** The disk at a pixel, or near it; null: there is none. */
   diskNear(time, x, y) {

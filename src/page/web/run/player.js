@@ -3,9 +3,7 @@ const SPEEDS = [0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
 
 const LONGEST_FRAME = 0.1;  // a pause of the browser, as of a hidden tab, is not caught up with [s]
 
-function speedText(speed) {
-  return speed < 1 ? `1/${Math.round(1 / speed)}` : `${speed}\u00d7`;
-}
+function speedText(speed) { return speed < 1 ? `1/${Math.round(1 / speed)}` : `${speed}\u00d7`; }
 
 /** The present time of a page, whether it goes on by play(), and how fast. */
 class Player {
@@ -25,9 +23,7 @@ class Player {
     this.onChange();
   }
 
-  toggle() {
-    if (this.playing) this.pause(); else this.play();
-  }
+  toggle() { if (this.playing) this.pause(); else this.play(); }
 
   /** The time that play() goes on by, since the picture before [s]. */
   elapsedTo(now) {

@@ -3,11 +3,6 @@ function shownUnit(unit) {
   return {m: ['mm', 1e3], 'm/s': ['mm/s', 1e3], kg: ['g', 1e3], 'kg/s': ['g/s', 1e3]}[unit] || [unit, 1];
 }
 
-function inUnit(value, unit) {
-  const [shown, scale] = shownUnit(unit);
-  return quantity(value === null ? null : scale * value, shown);
-}
-
 /** Both ends of a class, with as many decimals as tell them from what they are by less than a hundredth of its width. */
 function rangeText(from, to) {
   const isNear = (decimals) => [from, to].every((end) => Math.abs(Number(end.toFixed(decimals)) - end) < 0.01 * (to - from));
@@ -81,8 +76,8 @@ class Report {
   /** What the scene observes: whatever is not shown above. */
   showObserved() {
     const shown = new Set(['scene_hash', 'seed', 'version', 'plan', 'start_time', 'first_frame_time', 'simulated_time', 'particle_frames',
-      'not_recorded', 'species', 'quality', 'processed', 'purity', 'recovery', 'collisions', 'max_overlap', 'short_to_long', 'steady_reason']);
-    for (const name of ['separation', 'separation_by_mass']) shown.add(name);
+      'not_recorded', 'species', 'separation', 'separation_by_mass', 'quality', 'processed', 'purity', 'recovery', 'collisions', 'max_overlap',
+      'short_to_long', 'steady_reason']);
     for (const [name, value] of Object.entries(this.results)) {
       if (shown.has(name)) continue;
       const title = wordsOf(name);
@@ -93,7 +88,8 @@ class Report {
 
   /** Any value as nested lists and tables. @param {Object<string, string>} units by the names of numbers and columns */
   static tree(value, units, unit = '') {
-    if (value === null || typeof value === 'number') return element('span', {}, inUnit(value, unit));
+    const [shown, scale] = shownUnit(unit);
+    if (value === null || typeof value === 'number') return element('span', {}, quantity(value === null ? null : scale * value, shown));
     if (typeof value !== 'object') return element('span', {}, String(value));
     if (Array.isArray(value)) return element('div', {}, ...value.map((each) => Report.tree(each, units, unit)));
     const columns = Object.values(value);

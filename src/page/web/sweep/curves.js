@@ -18,9 +18,7 @@ class SweepCurves {
       (this.showsAll ? '' : ` The curve is that of the chosen setting, one of ${report.rows}.`);
   }
 
-  get showsAll() {
-    return this.report.rows <= MOST_CURVES;
-  }
+  get showsAll() { return this.report.rows <= MOST_CURVES; }
 
   show(field, chosen) {
     const sameCurves = this.chart && field === this.field && (this.showsAll || chosen.y === this.chosen.y);

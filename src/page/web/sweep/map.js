@@ -29,13 +29,9 @@ class ColourScale {
     this.colours = isSigned ? RED_BLUE : this.high > 0 ? VIRIDIS : VIRIDIS.toReversed();
   }
 
-  share(value) {
-    return this.high > this.low ? (value - this.low) / (this.high - this.low) : 0.5;
-  }
+  share(value) { return this.high > this.low ? (value - this.low) / (this.high - this.low) : 0.5; }
 
-  colourOf(value) {
-    return scaleColour(this.colours, this.share(value));
-  }
+  colourOf(value) { return scaleColour(this.colours, this.share(value)); }
 }
 
 /** Colours of so many curves: in the order of numbers, side by side for texts. */
@@ -47,9 +43,7 @@ function curveColours(values) {
 }
 
 /** Of such a curve, where an earlier one has its colour. */
-function dashesIn(colours, k) {
-  return colours.indexOf(colours[k]) < k ? dashesOf(k) : {};
-}
+function dashesIn(colours, k) { return colours.indexOf(colours[k]) < k ? dashesOf(k) : {}; }
 
 const DIGITS = 3;        // of the values beside the cells
 const LETTER = [8, 18];  // of such a value, wide and high [px]

@@ -12,37 +12,23 @@ class SweepReport {
   }
 
   /** The place of a column and a row; undefined: no run of it is done. */
-  at(column, row) {
-    return column < 0 || column >= this.columns ? undefined : this.byCell.get(column + row * this.columns);
-  }
+  at(column, row) { return column < 0 || column >= this.columns ? undefined : this.byCell.get(column + row * this.columns); }
 
   /** The best place, or the first one. */
-  get first() {
-    return this.data.best ? this.at(this.data.best.x, this.data.best.y) : this.places[0];
-  }
+  get first() { return this.data.best ? this.at(this.data.best.x, this.data.best.y) : this.places[0]; }
 
-  isBest(place) {
-    return this.data.best !== null && place.x === this.data.best.x && place.y === this.data.best.y;
-  }
+  isBest(place) { return this.data.best !== null && place.x === this.data.best.x && place.y === this.data.best.y; }
 
   /** Whether a field is Q, since the start or of the filled machine. */
-  isQuality(field) {
-    return ['quality', 'steady.quality.value'].includes(this.fields[field].name);
-  }
+  isQuality(field) { return ['quality', 'steady.quality.value'].includes(this.fields[field].name); }
 
   /** Whether a field of a place is Q of too few disks. */
-  isDoubtful(place, field) {
-    return this.isQuality(field) && place.means[field] !== null && !place.comparable;
-  }
+  isDoubtful(place, field) { return this.isQuality(field) && place.means[field] !== null && !place.comparable; }
 
   /** All defined means of a field, with their errors. */
-  meansOf(field) {
-    return this.places.map((place) => place.means[field]).filter((mean) => mean !== null);
-  }
+  meansOf(field) { return this.places.map((place) => place.means[field]).filter((mean) => mean !== null); }
 
-  labelOf(part) {
-    return part.unit ? `${part.label} [${part.unit}]` : part.label;
-  }
+  labelOf(part) { return part.unit ? `${part.label} [${part.unit}]` : part.label; }
 
   valueText(axis, k, unit = '', digits = 6) {
     const value = axis.values[k];
