@@ -29,18 +29,18 @@ double interpolated(const std::vector<std::pair<double, double>>& table, double 
 }
 }  // namespace
 
-void Drive::ask(double setpoint, double time)
+void Actuator::ask(double setpoint, double time)
 {
   asked_ = setpoint;
   under_way_.emplace_back(time + settings_.dead_time, setpoint);
 }
 
-double Drive::step() const
+double Actuator::step() const
 {
   return std::max(settings_.time_constant / STEPS_PER_TIME_CONSTANT, SHORTEST_STEP);
 }
 
-double Drive::nextTime() const
+double Actuator::nextTime() const
 {
   double next = std::numeric_limits<double>::infinity();
   if (!under_way_.empty())
@@ -50,7 +50,7 @@ double Drive::nextTime() const
   return next;
 }
 
-void Drive::lagTo(double time)
+void Actuator::lagTo(double time)
 {
   // The exact solution, so that the steps do not change it.
   position_ = goal_ + (position_ - goal_) * std::exp((position_time_ - time) / settings_.time_constant);
@@ -59,7 +59,7 @@ void Drive::lagTo(double time)
     position_ = goal_;
 }
 
-void Drive::advanceTo(double time)
+void Actuator::advanceTo(double time)
 {
   if (position_ != goal_)
     lagTo(time);
@@ -74,7 +74,7 @@ void Drive::advanceTo(double time)
   }
 }
 
-double Drive::output(double frequency, const Interval& legal) const
+double Actuator::output(double frequency, const Interval& legal) const
 {
   if (held_)
     return *held_;
@@ -95,14 +95,14 @@ Drives::Drives(const DriveParameters& settings, const BaseDefinition& base, doub
 double Drives::nextTime() const
 {
   double next = std::numeric_limits<double>::infinity();
-  for (const Drive& drive : drives_)
+  for (const Actuator& drive : drives_)
     next = std::min(next, drive.nextTime());
   return next;
 }
 
 void Drives::advanceTo(double time)
 {
-  for (Drive& drive : drives_)
+  for (Actuator& drive : drives_)
     if (drive.nextTime() <= time)
       drive.advanceTo(time);
 }

@@ -271,11 +271,12 @@ std::string fewerThreadsText(std::size_t threads, std::size_t wanted)
 SweepOutcome runSweep(const Sweep& sweep, const std::string& path, const SweepRunOptions& options)
 {
   const std::unique_ptr<SweepResults> results = openResults(sweep, path, options);
+  SweepOutcome outcome;
+  outcome.stopped = !results;
   if (!results)
-    return {{}, true};
+    return outcome;
   if (options.retry_failed)
     results->removeFailed();
-  SweepOutcome outcome;
   outcome.threads_wanted = threadCount(options.threads);
   {
     SweepRun run(sweep, *results, options);

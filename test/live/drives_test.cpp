@@ -13,7 +13,7 @@ constexpr double NEVER = std::numeric_limits<double>::infinity();
 constexpr Interval ANY{-10.0, 10.0};
 
 /// Lets a drive come to a time.
-void come(Drive& drive, double time)
+void come(Actuator& drive, double time)
 {
   while (drive.nextTime() <= time)
     drive.advanceTo(drive.nextTime());
@@ -21,12 +21,12 @@ void come(Drive& drive, double time)
 
 double outputOf(const DriveSettings& settings, double setpoint)
 {
-  return Drive(settings, setpoint, 0.0).output(0.0, ANY);
+  return Actuator(settings, setpoint, 0.0).output(0.0, ANY);
 }
 
-TEST(Drive, passesASetpointOnUnchangedByDefault)
+TEST(Actuator, PassesASetpointOnUnchangedByDefault)
 {
-  Drive drive({}, 0.1, 5.0);
+  Actuator drive({}, 0.1, 5.0);
   EXPECT_EQ(drive.output(0.0, ANY), 0.1);
   EXPECT_EQ(drive.nextTime(), NEVER);
   drive.ask(0.3, 7.0);
@@ -36,11 +36,11 @@ TEST(Drive, passesASetpointOnUnchangedByDefault)
   EXPECT_EQ(drive.nextTime(), NEVER);
 }
 
-TEST(Drive, hasADeadTimeInWhichItKeepsAllSetpoints)
+TEST(Actuator, HasADeadTimeInWhichItKeepsAllSetpoints)
 {
   DriveSettings settings;
   settings.dead_time = 2.0;
-  Drive drive(settings, 0.0, 0.0);
+  Actuator drive(settings, 0.0, 0.0);
   drive.ask(0.1, 1.0);
   drive.ask(0.2, 1.5);
   EXPECT_EQ(drive.asked(), 0.2);
@@ -51,11 +51,11 @@ TEST(Drive, hasADeadTimeInWhichItKeepsAllSetpoints)
   EXPECT_EQ(drive.output(0.0, ANY), 0.2);
 }
 
-TEST(Drive, lagsExponentiallyAndArrives)
+TEST(Actuator, LagsExponentiallyAndArrives)
 {
   DriveSettings settings;
   settings.time_constant = 0.5;
-  Drive drive(settings, 1.0, 0.0);
+  Actuator drive(settings, 1.0, 0.0);
   drive.ask(3.0, 0.0);
   come(drive, 0.5);
   EXPECT_NEAR(drive.output(0.0, ANY), 3.0 - 2.0 * std::exp(-1.0), 2.0 * 0.05);  // within a step
@@ -69,14 +69,14 @@ TEST(Drive, lagsExponentiallyAndArrives)
   EXPECT_EQ(drive.nextTime(), NEVER);
 }
 
-TEST(Drive, hasAResolutionAnOffsetAndLimits)
+TEST(Actuator, HasAResolutionAnOffsetAndLimits)
 {
   EXPECT_DOUBLE_EQ(outputOf({0.0, 0.0, 0.1, {}, 0.0}, 0.26), 0.3);
   EXPECT_DOUBLE_EQ(outputOf({0.0, 0.0, 0.1, {}, 0.02}, 0.26), 0.32);
   EXPECT_EQ(outputOf({0.0, 0.0, 0.0, {}, 9.0}, 2.0), ANY.max);
 }
 
-TEST(Drives, giveLessAmplitudeAtAnotherFrequency)
+TEST(Drives, GiveLessAmplitudeAtAnotherFrequency)
 {
   DriveParameters parameters;
   parameters[indexOf(Quantity::AMPLITUDE)].over_frequency = {{20.0, 1.0}, {40.0, 0.5}};
@@ -93,7 +93,7 @@ TEST(Drives, giveLessAmplitudeAtAnotherFrequency)
   }
 }
 
-TEST(Drives, stayWhereTheyAreHeld)
+TEST(Drives, StayWhereTheyAreHeld)
 {
   Drives drives({}, BaseDefinition(), 0.0);
   drives.setFault(Quantity::INCLINATION, "stuck", 0.07);

@@ -101,7 +101,7 @@ std::vector<double> countsOf(const std::string& settings, int disks, double inte
 
 constexpr const char* ALL = "{scale: {rate: 5}, count: {rate: 5}, level: {rate: 5}}";
 
-TEST(Sensors, areExactByDefault)
+TEST(Sensors, AreExactByDefault)
 {
   Instrumented machine(ALL);
   machine.run(2.0);
@@ -119,7 +119,7 @@ TEST(Sensors, areExactByDefault)
   EXPECT_EQ(machine.sent["level"].size(), 11u);
 }
 
-TEST(Sensors, readTheSameHoweverTheRunIsDivided)
+TEST(Sensors, ReadTheSameHoweverTheRunIsDivided)
 {
   const std::string noisy =
       "{scale: {noise: 0.001, time_constant: 0.1, drop_height: 0.1, delay: 0.25}, "
@@ -131,7 +131,7 @@ TEST(Sensors, readTheSameHoweverTheRunIsDivided)
   EXPECT_NE(Instrumented(noisy, other).run(2.0).sent, once);
 }
 
-TEST(Sensors, sendLateWhatTheyMeasured)
+TEST(Sensors, SendLateWhatTheyMeasured)
 {
   const auto sent = Instrumented("{level: {rate: 4, delay: 0.6}}").run(2.0).sent.at("level");
   const auto now = Instrumented("{level: {rate: 4}}").run(2.0).sent.at("level");
@@ -140,7 +140,7 @@ TEST(Sensors, sendLateWhatTheyMeasured)
     EXPECT_EQ(sent[k], (Sent{0.25 * static_cast<double>(k) + 0.6, now[k].time, now[k].values}));
 }
 
-TEST(Sensors, haveNoiseOfItsStandardDeviationAndAResolution)
+TEST(Sensors, HaveNoiseOfItsStandardDeviationAndAResolution)
 {
   const auto sent =
       Instrumented("{scale: {rate: 1000, noise: 0.5, resolution: 0.25}}", smallRing()).run(4.0).sent;
@@ -159,7 +159,7 @@ TEST(Sensors, haveNoiseOfItsStandardDeviationAndAResolution)
   EXPECT_NE(sent.at("right/scale").back().values, readings.back().values);
 }
 
-TEST(Sensors, lagDriftFeelImpactsAndAreTared)
+TEST(Sensors, LagDriftFeelImpactsAndAreTared)
 {
   SceneDefinition scene = smallRing();
   Sensor scale(0, *parametersOf("{scale: {rate: 1, time_constant: 2, drift: 3.6, drop_height: 0.4905}}")[0],
@@ -184,7 +184,7 @@ TEST(Sensors, lagDriftFeelImpactsAndAreTared)
   EXPECT_NEAR(values[2], (impact - 4.0) * (std::exp(-1.0) - std::exp(-0.5)) + 0.001, 1e-12);
 }
 
-TEST(Sensors, missAndConfuseDisks)
+TEST(Sensors, MissAndConfuseDisks)
 {
   constexpr int DISKS = 10000;
   const std::vector<double> counts = countsOf("miss: 0.05, confusion: 0.2", DISKS);
@@ -192,13 +192,13 @@ TEST(Sensors, missAndConfuseDisks)
   EXPECT_NEAR(counts[1] / (counts[0] + counts[1]), 0.2, 4.0 * std::sqrt(0.16 / DISKS));
 }
 
-TEST(Sensors, areBlindInTheirDeadTime)
+TEST(Sensors, AreBlindInTheirDeadTime)
 {
   EXPECT_EQ(countsOf("dead_time: 0.25", 12, 0.125), (std::vector<double>{6.0, 0.0}));
   EXPECT_EQ(countsOf("dead_time: 0.3", 12, 0.125), (std::vector<double>{4.0, 0.0}));
 }
 
-TEST(Sensors, fail)
+TEST(Sensors, Fail)
 {
   Instrumented machine("{level: {rate: 10, noise: 1}}");
   auto& sent = machine.sent["level"];
@@ -234,7 +234,7 @@ std::string refusalOf(Read read, const std::string& yaml)
   }
 }
 
-TEST(PlantReader, saysWhatIsAllowed)
+TEST(PlantReader, SaysWhatIsAllowed)
 {
   const auto sensors = [](const std::string& yaml) { return refusalOf(readSensors, yaml); };
   const auto drives = [](const std::string& yaml) { return refusalOf(readDrives, yaml); };

@@ -28,11 +28,11 @@ struct DriveSettings
 using DriveParameters = std::array<DriveSettings, QUANTITIES>;  ///< in the order of Quantity
 
 /// One drive. It depends on setpoints and simulated times alone, not on how often it is advanced.
-class Drive
+class Actuator
 {
 public:
   /// At rest at a setpoint. @param time [s]
-  Drive(const DriveSettings& settings, double setpoint, double time)
+  Actuator(const DriveSettings& settings, double setpoint, double time)
       : settings_(settings), asked_(setpoint), goal_(setpoint), position_(setpoint), position_time_(time)
   {
   }
@@ -89,9 +89,9 @@ public:
   void setFault(Quantity quantity, const std::string& fault, double applied);
 
 private:
-  Drive& of(Quantity quantity) { return drives_[indexOf(quantity)]; }
+  Actuator& of(Quantity quantity) { return drives_[indexOf(quantity)]; }
 
-  std::vector<Drive> drives_;  ///< in the order of Quantity
+  std::vector<Actuator> drives_;  ///< in the order of Quantity
 };
 
 }  // namespace ratchet_sieve
