@@ -117,11 +117,11 @@ bool checkFloor(const SceneDefinition& scene, nlohmann::ordered_json& summary)
 }
 
 /// "Q 0.78, P 0.99; A: 3 left, 130 right; B: ..."; the mean velocities where no disk can leave.
-std::string resultText(const nlohmann::ordered_json& summary)
+std::string resultText(const nlohmann::ordered_json& summary, Boundary boundary)
 {
   const auto number = [](const nlohmann::ordered_json& value, const char* format, double scale = 1.0)
   { return value.is_null() ? "undefined" : fmt::format(format, scale * value.get<double>()); };
-  const bool open = summary["processed"].is_number();
+  const bool open = boundary == Boundary::OPEN || summary["processed"].is_number();
   std::string text =
       open ? "Q " + number(summary["quality"], "{:.2f}") + ", P " + number(summary["processed"], "{:.2f}")
            : "mean velocities";
@@ -190,7 +190,8 @@ int run(const RunArguments& arguments)
   const bool checked = !arguments.check_floor || !through || checkFloor(scene.definition, summary);
   const bool complete = outputs.finish(summary);
   if (complete)
-    std::fprintf(stderr, "sieve_run: %s%s\n", resultText(summary).c_str(), writtenText(arguments).c_str());
+    std::fprintf(stderr, "sieve_run: %s%s\n", resultText(summary, scene.definition.boundary).c_str(),
+                 writtenText(arguments).c_str());
   return through && not_saved.empty() && checked && complete ? DONE : FAILED;
 }
 

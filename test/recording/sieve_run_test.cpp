@@ -34,7 +34,7 @@ TEST_F(SieveRun, SumsUpOnStandardOutput)
       "no base search above the base's reach, "
       "no SIMD (only for independent disks without contact times on a periodic sawtooth with a vertical "
       "sine drive)\n" +
-          size + "sieve_run: Q undefined, P 0.00; A: 0 left, 0 right; B: 0 left, 0 right\n");
+          size + "sieve_run: Q undefined, P undefined; A: 0 left, 0 right; B: 0 left, 0 right\n");
   EXPECT_EQ(json["seed"], 7);
   EXPECT_EQ(json["simulated_time"], 0.5);
   EXPECT_EQ(json["through_base"], 0);
