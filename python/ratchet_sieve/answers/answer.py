@@ -219,8 +219,10 @@ class Answer:
         """Writes the answer; the ending selects the form: .html, .json, .csv (its map), or a picture's (.png, .svg,
         .pdf). Raises OSError, ValueError."""
         self.machine.write(path, {
-            ".html": self._page, ".csv": lambda: self.map.to_csv(index=False),
-            ".json": lambda: json.dumps(self.as_json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n"}, self.plot)
+            ".html": self._page,
+            ".csv": lambda: self.map.to_csv(index=False),
+            ".json": lambda: json.dumps(self.as_json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n"},
+            self.plot)
 
     def _page(self) -> str:
         from .page import page_of

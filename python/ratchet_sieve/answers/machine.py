@@ -27,7 +27,8 @@ NOT_VARIED = ("seed", "duration", "settle")
 NO_GOALS = ("seed", "wall_time", "events", "simulated_time", "physics")
 SIDES = ("left", "right")
 # Why a run says nothing.
-FILLING, CHOKED, EMPTY, NOT_EMPTIED, FEW = "still filling", "choked", "a bin stayed empty", "not emptied by half", "too few of its disks left"
+FILLING, CHOKED, EMPTY = "still filling", "choked", "a bin stayed empty"
+NOT_EMPTIED, FEW = "not emptied by half", "too few of its disks left"
 CUT = "cut by the budget"
 NO_DRIFT, FAILED = "too short to tell a mean velocity", "failed"
 STEPS = 1000           # of a range at least, to which settings are rounded

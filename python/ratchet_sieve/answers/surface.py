@@ -15,8 +15,9 @@ TINY = 1e-10      # variance that keeps the matrix positive definite
 
 
 class Surface:
-    """Values over d ranges, each from 0 to 1. Its covariance is Matérn's of order 5/2 with a length for each range; the
-    errors may be larger than stated, all by one factor. These parameters are the likeliest (maximum a posteriori)."""
+    """Values over d ranges, each from 0 to 1. Its covariance is Matérn's of order 5/2 with a length for each range;
+    the errors may be larger than stated, all by one factor. These parameters are the likeliest (maximum a
+    posteriori)."""
 
     def __init__(self, ranges, scale=1.0, error_spread=SPREADS[2]):
         """@param ranges d. @param scale of the values. @param error_spread of the logarithm of the errors' variance"""

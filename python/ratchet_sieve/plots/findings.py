@@ -57,7 +57,8 @@ def mean_text(rows, field=QUALITY):
     """With Q since the start beside that of the filled machine."""
     def text(mean):
         over = f"over {counted(mean.count, 'seed')}"
-        return f'{mean.value:.3f} ' + (f'{over} (error unknown)' if mean.error is None else f'± {mean.error:.3f} {over}')
+        over = f'{over} (error unknown)' if mean.error is None else f'± {mean.error:.3f} {over}'
+        return f'{mean.value:.3f} {over}'
 
     whole = rows.mean(QUALITY) if field != QUALITY else None
     disks = counted(math.floor(of_all(rows, 'counted') + 0.5), 'disk')
@@ -81,7 +82,8 @@ def best_text(setting, group, at_edge, field=QUALITY):
     mean, name = group.mean(field), 'mean Q' if field == QUALITY else 'mean Q of the filled machine'
     if mean.error is not None and mean.value <= mean.half_width():
         return f'not separated: the interval of 95 % contains 0 even at the largest {name}, {text}'
-    return f'best {name} {text}{way_of(group, field)}' + (f"; at the grid's edge in {', '.join(at_edge)}" if at_edge else '')
+    edge = f"; at the grid's edge in {', '.join(at_edge)}" if at_edge else ''
+    return f'best {name} {text}{way_of(group, field)}{edge}'
 
 
 def findings_of(rows, ended, keys, sweep, limits):
