@@ -16,7 +16,7 @@ from pathlib import Path
 
 import yaml
 from commands import DOCUMENTS, PACKAGE, blocks, code_spans, commands, simple_commands
-from plan import BEFORE, GOES_ON, NOT_RUN, SAVED
+from plan import BEFORE, GOES_ON, NOT_RUN, SAVED, SHORTENED
 from session import Session, lookup
 
 FOLDERS = 'benchmark|config|docs|examples|include|launch|msg|python|rviz|scripts|src|srv|studies|test'
@@ -64,7 +64,10 @@ class InSession(unittest.TestCase):
             if 'scene' in yaml.safe_load(block.text):  # a sweep; a scene is run by the commands below it
                 self.session.run(f'rosrun ratchet_sieve sieve_sweep run "{path}" --dry-run')
         elif block.language == 'python':
-            (self.session.here / 'script.py').write_text(block.text)
+            code = block.text
+            for text, shorter in SHORTENED.items():
+                code = code.replace(text, shorter)
+            (self.session.here / 'script.py').write_text(code)
             self.session.run('/usr/bin/python3 script.py')
         else:
             self.assertEqual(block.language, 'text', block.place)
@@ -141,6 +144,8 @@ class Documents(InSession):
         for command in (command for block in found if block.language == 'sh' for command in commands(block)):
             used |= {lookup(table, command) for table in (NOT_RUN, GOES_ON, BEFORE)}
         self.assertEqual(used - {None}, {*NOT_RUN, *GOES_ON, *BEFORE, *SAVED})
+        code = ''.join(block.text for block in found if block.language == 'python')
+        self.assertEqual([text for text in SHORTENED if text not in code], [])
 
     def spans(self):
         for document in DOCUMENTS:

@@ -65,3 +65,12 @@ SAVED = {
     'base: {teeth: 20': 'first.yaml',
     'base: {teeth: 30, tooth_height: 0.014': 'stage.yaml',
 }
+
+# What is shortened in code: texts of it, and what is run in their place. Searches end by their budget; a calibration
+# is of short runs, with which its counts do not agree.
+SHORTENED = {
+    '(15, 48)}))': '(15, 48)}, budget="10 s"))',
+    'seed=1))': 'seed=1, budget="10 s"))',
+    '"duration": 120,': '"duration": 6,',
+    'trials=24, storage': 'trials=4, storage',
+}
