@@ -24,8 +24,8 @@ PICTURE = re.compile(r'^!\[(.+)\]\((.+)\)\n(?:\n\*([^*]+)\*)?', re.MULTILINE)  #
 HERO = '\n\n<iframe class="hero" src="live.html" title="The machine, live"></iframe>\n'
 RUNS = {'demo': {'base.inclination': 0.19, 'duration': 15}, 'machine_mass': {'duration': 8},
         'circular_feeder': {'duration': 8, 'settle': 1}}
-MODULES = ('scene', 'size_tables', 'runs', 'simulation', 'values', 'sweeps', 'answers', 'answers.answer', 'answers.front',
-           'bags', 'pages', 'errors')
+MODULES = ('scene', 'size_tables', 'runs', 'simulation', 'values', 'sweeps', 'answers', 'answers.answer',
+           'answers.calibrate', 'answers.grains', 'answers.front', 'bags', 'pages', 'errors')
 ROW = re.compile(r'(\w+(?:, \w+)*)  +(\S.*)')
 
 

@@ -17,7 +17,7 @@ TEST(ReportText, IsATableToRead)
             "scene 0123456789abcdef, seed 7, version 1.2.3: 0 s to 2.5 s, 151 frames of particles\n"
             "\n"
             "species     disks    left   right  on base         <V_x> [mm/s]   T_g [uJ]\n"
-            "A              10       1       3        6     +500.00 ± 20.00        150\n"
+            "A              10       1       3        6      +500.00 ± 20.00        150\n"
             "long-name       1       1       0        0            undefined  undefined\n"
             "<V_x> of the frames, without each disk's way before its first and after its last one:\n"
             "  A: +12.50 ± 0.50 mm/s\n"
@@ -64,7 +64,7 @@ TEST(ReportText, HasNoBinsWhereNothingLeft)
   const std::string text = reportText(result);
   EXPECT_NE(text.find("\n\n"
                       "species     disks         <V_x> [mm/s]   T_g [uJ]\n"
-                      "A              10     +500.00 ± 20.00        150\n"
+                      "A              10      +500.00 ± 20.00        150\n"
                       "long-name       1            undefined  undefined\n"
                       "<V_x> of the frames, "),
             std::string::npos)

@@ -44,13 +44,15 @@ def old(request, tmp_path):
 
 
 def lost(old, new, values=True, path=""):
-    """What `new` lacks of `old`, and what has another value there. Lists of texts are in no order."""
+    """What `new` lacks of `old`, and what has another value there. Lists of texts are in no order; private names are not
+    promised."""
     if isinstance(old, dict):
         return [line for key, value in old.items() for line in (
             lost(value, new[key], values and key not in UNSTABLE, f"{path}/{key}") if key in (new or {}) else
             [f"{path}/{key}"])]
     if isinstance(old, list) and all(isinstance(each, str) for each in old):
-        return [f"{path}: {each}" for each in sorted({*old} - {*(new or ())})] * values
+        gone = sorted({*old} - {*(new or ())})
+        return [f"{path}: {each}" for each in gone if not each.startswith("_")] * values
     if isinstance(old, list):
         differ = [line for k, each in enumerate(zip(old, new or ())) for line in lost(*each, values, f"{path}/{k}")]
         return differ + [f"{path}: {new} in place of {old}"] * (values and len(old) != len(new or ()))

@@ -35,7 +35,8 @@ TEST(Summary, HasEveryFieldOthersRelyOn)
   EXPECT_EQ(
       keysOf(json),
       "scene_hash seed version plan simulated_time wall_time events collisions short_to_long species quality "
-      "separation separation_by_mass processed purity recovery accuracy steady steady_reason steady_needs base_impulse "
+      "separation separation_by_mass processed purity recovery accuracy steady steady_reason steady_needs "
+      "base_impulse "
       "energy_start energy_end collapses max_overlap through_base warnings");
   EXPECT_EQ(keysOf(json["collisions"]), "disk_disk left_slope right_slope apex wall level");
   ASSERT_EQ(json["species"].size(), 2u);

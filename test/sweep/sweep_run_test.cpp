@@ -180,7 +180,8 @@ TEST_F(SweepRunTest, RunsEachCaseWithASeedOfItsOwn)
   const auto rows = [this](const std::string& cases)
   {
     runSweep(load(cases), results_, {});
-    return text("SELECT group_concat(seed || ' ' || run_hash, ', ') FROM (SELECT * FROM cases ORDER BY seed)");
+    return text(
+        "SELECT group_concat(seed || ' ' || run_hash, ', ') FROM (SELECT * FROM cases ORDER BY seed)");
   };
   const std::string listed = rows("cases: [{seed: 3}, {seed: 5}]\n");
   EXPECT_EQ(listed.rfind("3 ", 0), 0u) << listed;

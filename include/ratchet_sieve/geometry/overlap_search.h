@@ -45,8 +45,8 @@ public:
   /// Moves a disk at the same time, after its flight was changed.
   void move(std::uint32_t slot, double s, double n);
 
-  /// Calls visit(slot, other, shift) once for each pair of disks that may overlap; `shift`: which image of the
-  /// other, in widths to its right. A disk may be paired with an image of itself.
+  /// Calls visit(slot, other, shift) once for each pair of disks that may overlap; `shift`: which image of
+  /// the other, in widths to its right. A disk may be paired with an image of itself.
   template <typename Visit>
   void forEachPair(Visit&& visit)
   {

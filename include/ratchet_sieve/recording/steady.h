@@ -29,9 +29,9 @@ struct SteadySpecies
 /// What a machine with a feed does once it has filled.
 struct SteadyState
 {
-  double from = 0.0;                        ///< in the run's time [s]
-  std::optional<PairSeparation> pair;       ///< of bestSeparation()
-  std::optional<Estimate> separation;       ///< nothing before one disk of each of two species has left
+  double from = 0.0;                   ///< in the run's time [s]
+  std::optional<PairSeparation> pair;  ///< of bestSeparation()
+  std::optional<Estimate> separation;  ///< nothing before one disk of each of two species has left
   std::optional<Estimate> separation_by_mass;
   Estimate inside;                          ///< mean number of disks in the machine
   std::optional<Estimate> throughput;       ///< disks that leave [1/s]; nothing if they are too correlated

@@ -5,7 +5,7 @@ from matplotlib.ticker import MaxNLocator
 
 from ratchet_sieve.plots.analysis import plot_drive
 from ratchet_sieve.plots.program import parser_of, run_of, run_program, write
-from ratchet_sieve.plots.style import COLOURS, GREY, any_defined, beside, panels
+from ratchet_sieve.plots.style import GREY, any_defined, beside, panels
 from ratchet_sieve.tables import read_table
 
 
@@ -38,7 +38,7 @@ def draw(directory, window, best):
     drive = read_table(directory / 'drive.csv')
     figure, axes = panels(3, 1, (7.5, 5.6), None, sharex=True, gridspec_kw={'height_ratios': (2.2, 2, 1)})
     draw_best(axes[0], best, 2)
-    plot_drive(axes[0], drive, 'inclination', r'$\theta$ [rad]', COLOURS[4])
+    plot_drive(axes[0], drive, 'inclination')
     times, quality = windowed_quality(read_table(directory / 'bins.csv'), window)
     if any_defined(quality):
         draw_best(axes[1], best, 3)
@@ -47,7 +47,7 @@ def draw(directory, window, best):
     axes[1].set_ylim(-0.02, None)
     axes[1].set_ylabel('$Q$')
     axes[1].set_title(f'Quality of what left within the last {window:g} s', loc='left')
-    plot_drive(axes[2], drive, 'frequency', '$f$ [Hz]', COLOURS[5])
+    plot_drive(axes[2], drive, 'frequency')
     axes[2].yaxis.set_major_locator(MaxNLocator(nbins=4, integer=True))
     axes[2].set_xlabel('time [s]')
     figure.subplots_adjust(hspace=0.4)
