@@ -72,5 +72,5 @@ SHORTENED = {
     '(15, 48)}))': '(15, 48)}, budget="10 s"))',
     'seed=1))': 'seed=1, budget="10 s"))',
     '"duration": 120,': '"duration": 6,',
-    'trials=24, storage': 'trials=4, storage',
+    '(5.0, 40.0)}, trials=24': '(25.0, 40.0)}, trials=6',
 }
