@@ -69,8 +69,7 @@ SAVED = {
 # What is shortened in code: texts of it, and what is run in their place. Searches end by their budget; a calibration
 # is of short runs, with which its counts do not agree.
 SHORTENED = {
-    '(15, 48)}))': '(15, 48)}, budget="10 s"))',
-    'seed=1))': 'seed=1, budget="10 s"))',
+    'seed=1))': 'seed=1, budget="30 s"))',
     '"duration": 120,': '"duration": 6,',
     '(5.0, 40.0)}, trials=24': '(25.0, 40.0)}, trials=6',
 }
