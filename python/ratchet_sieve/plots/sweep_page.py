@@ -10,7 +10,6 @@ places    the settings with a result: x, y, runs, comparable; means, of each fie
 cases     arguments, which follow `command`, the common part of all command lines, for the directory in which the report
           was made; seeds, as texts for --seed, null: the scene's own; pages, relative to the report, null: not kept
 """
-import json
 import os
 import urllib.parse
 
