@@ -35,8 +35,7 @@ BlockSum Averages::pathOf(std::uint32_t slot, double time) const
 {
   const Disk& disk = system_.disk(slot);
   const DiskRecord& record = system_.record(slot);
-  const double x =
-      record.active ? positionAt(disk, time, system_.scene().gravity).x() : disk.position.x();
+  const double x = record.active ? positionAt(disk, time, system_.scene().gravity).x() : disk.position.x();
   const double until = record.active ? system_.epoch().start + time : record.left_when;
   return {x + record.offset - record.counted_x, until - record.counted_from};
 }
