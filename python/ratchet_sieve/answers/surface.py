@@ -38,16 +38,6 @@ class Surface:
         self._parameters = min(found, key=lambda result: result.fun).x
         self._condition()
 
-    def with_more(self, places, variances):
-        """What it will know once these places are measured as well: the same surface with smaller errors."""
-        more = object.__new__(Surface)
-        more.__dict__.update(self.__dict__)
-        more._places = np.vstack([self._places, places])
-        more._values = np.concatenate([self._values, self.at(places)[0] / self._scale])
-        more._variances = np.concatenate([self._variances, np.asarray(variances) / self._scale ** 2])
-        more._condition()
-        return more
-
     def at(self, places):
         """@return values (n,), their variances, and what covariance_with() takes"""
         across = self._covariance(places, self._places)
@@ -59,6 +49,12 @@ class Surface:
     def covariance_with(self, places, half, k):
         """The covariances of the values at all places with that at places[k]."""
         return self._scale ** 2 * (self._covariance(places, places[k:k + 1])[:, 0] - half.T @ half[:, k])
+
+    def after(self, places, variances, half, k, error):
+        """What at() says once places[k] is measured as well. @param error its variance
+        @return the variances at the places, and what covariance_with() takes"""
+        row = self.covariance_with(places, half, k) / (self._scale * np.sqrt(variances[k] + self.excess * error))
+        return np.maximum(variances - (self._scale * row) ** 2, self._scale ** 2 * TINY), np.vstack([half, row])
 
     @property
     def excess(self):
