@@ -457,7 +457,7 @@ def test_one_interrupt_leaves_time_for_fresh_seeds(monkeypatch):
 
 
 def test_a_machine_that_fills_up_is_no_answer(tmp_path):
-    found = rs.separate(SCENE, {"feed.rate": (30.0, 3000.0)}, within=0.2)
+    found = rs.separate(SCENE, {"feed.rate": (30.0, 600.0)}, within=0.2)
     filled = found.map[found.map.why != ""]
     assert len(filled) and filled.value.isna().all() and filled["feed.rate"].min() > found.as_good["feed.rate"].max()
     assert set(filled.why) <= {"choked", "still filling", "not settled", "too short"}
