@@ -69,7 +69,7 @@ SAVED = {
 # What is shortened in code and commands: texts of it, and what is run in their place. Searches end where they know their
 # best roughly; a calibration is of short runs, with which its counts do not agree.
 SHORTENED = {
-    '(15, 48)}))': '(26, 48)}, within=0.1))',
+    '(15, 48)}))': '(40, 48)}, within=0.2))',
     '(15, 48)}, seed=1))': '(26, 48)}, within=0.05, seed=1))',
     'within=0.02)': 'within=0.05)',
     '{"base.inclination": (0.0, 0.35)})\n': '{"base.inclination": (0.0, 0.35)}, within=0.05)\n',
