@@ -13,7 +13,7 @@ class Beside {
   offer({offered}) {
     if (offered === this.offered) return;
     this.offered = offered;
-    byId('beside').replaceChildren(...[['', 'no'], ['seed', 'the next seed'], ...offered.quantities.map(({name}) => [name, `another ${name}`])]
+    byId('beside').replaceChildren(...[['', 'no'], ['seed', 'next seed'], ...offered.quantities.map(({name}) => [name, name])]
       .map(([value, text]) => element('option', {value}, text)));
     this.show(false);
   }

@@ -222,7 +222,7 @@ class Picture {
     }
   }
 
-  /** What each bin holds, below it or, where it is out of the picture, at the edge. */
+  /** What each bin holds: below it; above it where it stands too low; in the corner where it is out of the picture. */
   drawLabels(context, pose, time) {
     context.font = '600 13px system-ui, sans-serif';
     context.textAlign = 'center';
@@ -233,8 +233,10 @@ class Picture {
       const lines = this.bins.labelOf(bin, time, this.base.machine.species);
       const half = 0.5 * Math.max(...lines.map(({text}) => context.measureText(text).width)) + 4;
       const {x, y} = this.view.toPixel(left + 0.5 * this.binWidth, low);
-      const {free} = this.view;
-      const [middle, top] = [[x, free.x, 0.5 * free.width - half], [y, free.y, 0.5 * free.height]]
+      const {free, scale} = this.view;
+      const isOut = x < 0 || x > this.view.width;
+      const above = y > free.y + 0.5 * free.height ? scale * this.binWidth + LABEL_ROOM : 0;
+      const [middle, top] = [[x, free.x, 0.5 * free.width - half], [isOut ? Infinity : y - above, free.y, 0.5 * free.height]]
         .map(([at, centre, reach]) => Math.min(centre + reach, Math.max(centre - reach, at)));
       lines.forEach(({text, species}, k) => {
         context.fillStyle = species === null ? themeColour('--text') : colourOf(species);
