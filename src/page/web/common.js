@@ -40,10 +40,11 @@ function showHead(title, origin, result = '') {
   for (const [id, text] of Object.entries({title, origin, result})) byId(id).textContent = text;
 }
 
-/** A scene to be copied. */
-function showScene(yaml) {
-  byId('scene').textContent = yaml;
-  copyOnClick(byId('copy-scene'), () => yaml, byId('scene'));
+/** Adds a scene, to be copied. */
+function addScene(parent, yaml) {
+  const [copy, text] = [element('button', {id: 'copy-scene', type: 'button'}, 'Copy the scene'), element('pre', {id: 'scene', tabindex: '0', 'aria-label': 'Scene'}, yaml)];
+  copyOnClick(copy, () => yaml, text);
+  parent.append(element('details', {}, element('summary', {}, 'Scene'), copy, text));
 }
 
 /** Whether a key is for the control that has the focus, and for nothing else. */

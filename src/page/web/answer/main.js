@@ -18,7 +18,7 @@ openPage(async () => {
   byId('map-section').hidden = !answer.picture;
   if (answer.picture) Object.assign(byId('picture'), {src: 'data:image/png;base64,' + answer.picture.bytes, alt: answer.picture.says});
   byId('best-section').hidden = !answer.scene;
-  if (answer.scene) showScene(answer.scene);
+  if (answer.scene) addScene(byId('best-section'), answer.scene);
   byId('content').hidden = false;
   return [{answer}];
 });

@@ -42,8 +42,7 @@ class BinSeries {
 
 /** A kind with its size and mass. */
 function kindOf({name, radius, mass, varies}, k) {
-  const about = varies ? 'about ' : '';
-  return element('span', {}, marked(name, k), ` ${about}${shownText(radius, 'm', 3)}, ${shownText(mass, 'kg', 3)} `);
+  return element('span', {}, marked(name, k), ` ${varies ? 'about ' : ''}${shownText(radius, 'm', 3)}, ${shownText(mass, 'kg', 3)} `);
 }
 
 /** How well a machine sorts at a time, by the engine's own numbers. @param {BinSeries} bins @param {Object} velocities series */

@@ -119,7 +119,7 @@ class Report {
       ['Plan', this.run.plan], ['Shown', Report.thinningText(motion, this.times)]];
     if (this.results.not_recorded.length) entries.push(['Not recorded', this.results.not_recorded.join(', ')]);
     byId('provenance').append(...listOf(entries));
-    showScene(scene.yaml);
+    addScene(byId('provenance-section'), scene.yaml);
   }
 
   /** What is shown of the motion, and how. @param {number} end of the run */
