@@ -18,6 +18,20 @@ class Player {
       typeof speed === 'number' ? speedText(speed) : textOfOther)));
   }
 
+  /** Plays: a derived class has goOn(), which is called at each picture. */
+  play() {
+    if (this.playing) return;
+    this.playing = true;
+    this.before = null;
+    this.onChange();
+    const step = this.step = (now) => {
+      if (!this.playing || this.step !== step) return;
+      requestAnimationFrame(step);
+      this.goOn(now);
+    };
+    requestAnimationFrame(step);
+  }
+
   pause() {
     this.playing = false;
     this.onChange();
@@ -59,17 +73,13 @@ class RunPlayer extends Player {
   }
 
   play() {
-    if (this.playing) return;
     if (this.time >= this.end) this.seek(this.start);
-    this.playing = true;
-    this.onChange();
-    this.before = null;
-    const step = this.step = (now) => {
-      if (!this.playing || this.step !== step) return;
-      this.seek(this.time + this.speed * this.elapsedTo(now));
-      if (this.time >= this.end) this.pause(); else requestAnimationFrame(step);
-    };
-    requestAnimationFrame(step);
+    super.play();
+  }
+
+  goOn(now) {
+    this.seek(this.time + this.speed * this.elapsedTo(now));
+    if (this.time >= this.end) this.pause();
   }
 
   /** To the next recorded frame, or to the last one before. */

@@ -66,10 +66,7 @@ class SweepCurves {
   /** So that the error bars are within. */
   yRange() {
     const means = this.report.meansOf(this.field);
-    if (!means.length) return padded(null, null);
-    const low = means.reduce((least, mean) => Math.min(least, mean.value - (mean.error || 0)), Infinity);
-    const high = means.reduce((most, mean) => Math.max(most, mean.value + (mean.error || 0)), -Infinity);
-    return padded(low, high);
+    return padded(...rangeOf(means.flatMap(({value, error}) => [value - error, value + error])));
   }
 
   meanAt(column, row) {

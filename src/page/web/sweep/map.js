@@ -19,8 +19,7 @@ function scaleColour(scale, share) {
 class ColourScale {
   /** @param {Array<number>} values at least one */
   constructor(values) {
-    this.low = values.reduce((least, value) => Math.min(least, value), Infinity);
-    this.high = values.reduce((most, value) => Math.max(most, value), -Infinity);
+    [this.low, this.high] = rangeOf(values);
     const isSigned = this.low < 0 && this.high > 0;
     if (isSigned) {
       this.high = Math.max(-this.low, this.high);
