@@ -38,7 +38,7 @@ def proposed(calibration: Any, over: list[dict]) -> Values:
         for number in calibration.data.numbers:
             if number.row > 0:
                 break
-            values, _ = calibration.values_of(number, rows.iloc[k::len(settings)])
+            values, _ = calibration.values_of(number, rows[k])
             defined = np.isfinite(values)
             if defined.sum() < 2 * design.shape[1]:
                 continue
