@@ -1,8 +1,5 @@
 const SETPOINT_PERIOD = 200;  // between two commands while a slider moves [ms]
 
-/** A power of ten that divides a range into 1000 steps or more. */
-function stepOf(range) { return 10 ** (Math.floor(Math.log10(range)) - 3); }
-
 /**
  * A slider of a commanded quantity. While it moves it gives a command now and then, and the last value for certain. Else
  * it follows the setpoint, which the commands of a link change too.
@@ -12,7 +9,8 @@ class Slider {
   constructor(prefix, {name, unit, min, max}, give) {
     [this.unit, this.give] = [unit, give];
     const id = prefix + name;
-    this.input = element('input', {type: 'range', id, min, max, step: stepOf(max - min)});
+    const step = 10 ** (Math.floor(Math.log10(max - min)) - 3);  // of a range 1000 or more
+    this.input = element('input', {type: 'range', id, min, max, step});
     this.output = element('output', {for: id});
     this.given = null;
     this.givenAt = this.unanswered = 0;

@@ -3,8 +3,6 @@ const SPEEDS = [0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
 
 const LONGEST_FRAME = 0.1;  // a pause of the browser, as of a hidden tab, is not caught up with [s]
 
-function speedText(speed) { return speed < 1 ? `1/${Math.round(1 / speed)}` : `${speed}\u00d7`; }
-
 /** The present time of a page, whether it goes on by play(), and how fast. */
 class Player {
   /** @param {Array} speeds to choose from: numbers, or a text @param {string} textOfOther what the text stands for */
@@ -15,7 +13,7 @@ class Player {
     this.speed = 1;
     this.onChange = () => {};
     byId('speed').append(...speeds.map((speed) => element('option', {value: String(speed)},
-      typeof speed === 'number' ? speedText(speed) : textOfOther)));
+      typeof speed !== 'number' ? textOfOther : speed < 1 ? `1/${Math.round(1 / speed)}` : `${speed}\u00d7`)));
   }
 
   /** Plays: a derived class has goOn(), which is called at each picture. */

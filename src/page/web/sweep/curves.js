@@ -40,7 +40,8 @@ class SweepCurves {
       padding: [null, report.y ? 58 : null, null, null],
       x: this.xOptions(),
       y: {label: report.labelOf(report.fields[field]), scale: {range: this.yRange()}},
-      series: this.shownRows.map((row, k) => ({label: this.names[k], stroke: this.colours[k], ...dashesIn(this.colours, k),
+      series: this.shownRows.map((row, k) => ({label: this.names[k], stroke: this.colours[k],
+        ...this.colours.indexOf(this.colours[k]) < k ? dashesOf(k) : {},
         value: (u, v, s, i) => i === null || i === undefined ? '' : this.textAt(i, row)})),
       data: [this.positions, ...this.shownRows.map((row) => this.positions.map((_, i) => {
         const mean = this.meanAt(i, row);

@@ -41,9 +41,6 @@ function curveColours(values) {
   return values.map((_, k) => scaleColour(VIRIDIS, from + (to - from) * k / (values.length - 1)));
 }
 
-/** Of such a curve, where an earlier one has its colour. */
-function dashesIn(colours, k) { return colours.indexOf(colours[k]) < k ? dashesOf(k) : {}; }
-
 const DIGITS = 3;        // of the values beside the cells
 const LETTER = [8, 18];  // of such a value, wide and high [px]
 const MAP_HEIGHTS = [150, 440];  // of the cells, at least and at most [px]
