@@ -49,6 +49,14 @@ CommandFrame driveCommand(const Drives& drives, Quantity quantity)
   return command;
 }
 
+/// A failure where the name is none of those known.
+Outcome oneOf(const char* what, const std::string& name, const std::vector<std::string>& known)
+{
+  if (std::find(known.begin(), known.end(), name) != known.end())
+    return {};
+  return {false, fmt::format("{} {}: must be one of {}", what, shownText(name), fmt::join(known, ", "))};
+}
+
 /// The scene with its base as it moves now.
 SceneDefinition withBase(SceneDefinition scene, const DriveState& base)
 {
@@ -73,8 +81,8 @@ RunControl::RunControl(const YAML::Node& scene, const std::string& source, const
   scene_warnings_ = read.warnings;
   announce(read);
   drives_.emplace(parameters_.drives, read.definition.base, 0.0);
-  run_ = makeRun(read.definition, openingOf(*drives_), 0.0, read.definition.duration);
-  sensors_ = makeSensors(parameters_.sensors, run_->simulation());
+  run_ = makeRun(read.definition, 0.0, read.definition.duration);
+  sensors_ = makeSensors(parameters_.sensors, read.definition, 0.0);
   run_->setUnderWay(!paused_);
 }
 
@@ -87,8 +95,7 @@ void RunControl::announce(const Scene& scene) const
     log_.warn(source_ + ": " + warning);
 }
 
-std::unique_ptr<Run> RunControl::makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,
-                                         double start_time, double end_time)
+std::unique_ptr<Run> RunControl::makeRun(const SceneDefinition& scene, double start_time, double end_time)
 {
   Simulation simulation(scene, start_time, pour_observer_);
   simulation.setThreads(parameters_.threads);
@@ -96,28 +103,7 @@ std::unique_ptr<Run> RunControl::makeRun(const SceneDefinition& scene, std::vect
   auto run = std::make_unique<Run>(std::move(simulation), end_time);
   for (FrameSink* sink : sinks_)
     run->add(*sink, parameters_.rates);
-  watchExits(*run);
-  run->open(std::move(opening));
-  return run;
-}
-
-/// What holds from the start: the slew rates, and what the drives give a base that stands where they were
-/// asked.
-std::vector<CommandFrame> RunControl::openingOf(const Drives& drives) const
-{
-  std::vector<CommandFrame> opening = {slewRateCommand(parameters_.slew_rates)};
-  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-    if (drives.output(q.quantity) != drives.asked(q.quantity))
-      opening.push_back(driveCommand(drives, q.quantity));
-  return opening;
-}
-
-void RunControl::watchExits(Run& run)
-{
-  const auto& kinds = parameters_.sensors;
-  if (std::none_of(kinds.begin(), kinds.end(), [](const auto& kind) { return kind.has_value(); }))
-    return run.observeExits(exit_observer_);
-  run.observeExits(
+  run->observeExits(
       [this](const ExitRecord& exit)
       {
         for (Sensor& sensor : sensors_)
@@ -125,18 +111,13 @@ void RunControl::watchExits(Run& run)
         if (exit_observer_)
           exit_observer_(exit);
       });
+  return run;
 }
 
 void RunControl::addSink(FrameSink& sink)
 {
   sinks_.push_back(&sink);
   run_->add(sink, parameters_.rates);
-}
-
-void RunControl::observeExits(ExitObserver observer)
-{
-  exit_observer_ = std::move(observer);
-  watchExits(*run_);
 }
 
 Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const
@@ -160,8 +141,11 @@ void RunControl::begin()
     log_.warn(warning);
   if (recording_.on())
     run_->add(recording_, recording_.rates());
+  std::vector<CommandFrame> opening = driveCommands();
+  opening.insert(opening.begin(), slewRateCommand(parameters_.slew_rates));
+  run_->open(std::move(opening));
   run_->takeDue();
-  readSensors();
+  readDue(sensors_, run_->simulation(), sensor_observer_);
 }
 
 void RunControl::end()
@@ -256,20 +240,23 @@ void RunControl::advanceTo(double time)
     drives_->advanceTo(run_->time());
     followDrives();
   }
-  readSensors();
+  readDue(sensors_, run_->simulation(), sensor_observer_);
+}
+
+/// Of each drive that gives the base another value than before.
+std::vector<CommandFrame> RunControl::driveCommands() const
+{
+  std::vector<CommandFrame> commands;
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    if (drives_->output(q.quantity) != run_->simulation().base().*q.commanded)
+      commands.push_back(driveCommand(*drives_, q.quantity));
+  return commands;
 }
 
 void RunControl::followDrives()
 {
-  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-    if (drives_->output(q.quantity) != run_->simulation().base().*q.commanded)
-      run_->applyCommand(driveCommand(*drives_, q.quantity));
-}
-
-void RunControl::readSensors()
-{
-  for (Sensor& sensor : sensors_)
-    sensor.read(run_->simulation(), sensor_observer_);
+  for (const CommandFrame& command : driveCommands())
+    run_->applyCommand(command);
 }
 
 void RunControl::begin(std::unique_ptr<Run> run, const Drives& drives)
@@ -278,7 +265,7 @@ void RunControl::begin(std::unique_ptr<Run> run, const Drives& drives)
   recording_.openNext();
   run_ = std::move(run);
   drives_ = drives;
-  sensors_ = makeSensors(parameters_.sensors, run_->simulation());
+  sensors_ = makeSensors(parameters_.sensors, run_->simulation().scene(), run_->time());
   run_->setUnderWay(!paused_);
   begin();
 }
@@ -290,8 +277,8 @@ Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& ov
     const Scene scene = readScene(seed, overrides);
     const double start = keep_time ? run_->time() : 0.0;
     announce(scene);
-    const Drives drives(parameters_.drives, scene.definition.base, start);
-    begin(makeRun(scene.definition, openingOf(drives), start, start + scene.definition.duration), drives);
+    begin(makeRun(scene.definition, start, start + scene.definition.duration),
+          Drives(parameters_.drives, scene.definition.base, start));
     scene_warnings_ = scene.warnings;
     return {};
   }
@@ -309,15 +296,11 @@ Outcome RunControl::resetWorld()
 {
   try
   {
-    const DriveState base = run_->simulation().base();
-    std::vector<CommandFrame> opening = {slewRateCommand(parameters_.slew_rates)};
-    for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-      opening.push_back(driveCommand(*drives_, q.quantity));
-    const SceneDefinition scene = withBase(run_->simulation().scene(), base);
+    const SceneDefinition scene = withBase(run_->simulation().scene(), run_->simulation().base());
     // Disks poured at the end of a run get the same duration as the first.
     const bool at_end = run_->time() >= run_->endTime();
     const double end = at_end ? run_->time() + scene.duration : run_->endTime();
-    begin(makeRun(scene, opening, run_->time(), end), *drives_);
+    begin(makeRun(scene, run_->time(), end), *drives_);
     return {};
   }
   catch (const std::invalid_argument& error)
@@ -365,36 +348,34 @@ void RunControl::command(Quantity quantity, double value)
 Outcome RunControl::fault(const std::string& part, const std::string& fault)
 {
   std::vector<std::string> parts, faults;
-  const auto note = [&](const std::string& name, const std::vector<std::string>& its_faults)
-  {
-    parts.push_back(name);
-    if (name == part)
-      faults = its_faults;
-  };
+  const auto isPart = [&](const std::string& name) { return parts.emplace_back(name) == part; };
+  std::function<void()> set;
   for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-    note(q.name, Drives::faults(q.quantity));
-  for (const Sensor& sensor : sensors_)
-    note(sensor.info().name, sensor.faults());
-  if (faults.empty())
-    return {false, fmt::format("part {}: must be one of {}", shownText(part), fmt::join(parts, ", "))};
-  if (std::find(faults.begin(), faults.end(), fault) == faults.end())
-    return {false, fmt::format("fault {}: must be one of {}", shownText(fault), fmt::join(faults, ", "))};
+    if (isPart(q.name))
+    {
+      faults = Drives::faults(q.quantity);
+      set = [&] { drives_->setFault(q.quantity, fault, run_->simulation().base().*q.applied); };
+    }
   for (Sensor& sensor : sensors_)
-    if (part == sensor.info().name)
-      sensor.setFault(fault);
-  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-    if (part == q.name)
-      drives_->setFault(q.quantity, fault, run_->simulation().base().*q.applied);
+    if (isPart(sensor.info().name))
+    {
+      faults = sensor.faults();
+      set = [&] { sensor.setFault(fault); };
+    }
+  if (const Outcome known = oneOf("part", part, parts); !known.success)
+    return known;
+  if (const Outcome known = oneOf("fault", fault, faults); !known.success)
+    return known;
+  set();
   followDrives();
   return {};
 }
 
-Outcome RunControl::tare(const std::string& name)
+void RunControl::tare(const std::string& name)
 {
   for (Sensor& sensor : sensors_)
     if (name == sensor.info().name)
       sensor.tare();
-  return {};
 }
 
 }  // namespace ratchet_sieve

@@ -20,9 +20,15 @@ Sensor::Sensor(std::size_t index, const SensorSettings& settings, const SceneDef
       start_time_(start_time),
       impact_time_(scene.gravity > 0.0 ? std::sqrt(2.0 * settings.drop_height / scene.gravity) : 0.0),
       random_(scene.seed + SEED_STEP * (index + 1)),
-      lag_time_(start_time),
+      lag_{settings.time_constant, start_time},
       counts_(scene.species.size())
 {
+  if (info_.kind != SensorKind::COUNT)
+    value_names_.emplace_back(info_.name);
+  else
+    for (const SpeciesDefinition& species : scene.species)
+      value_names_.push_back(std::string(info_.name) + "." + species.name);
+  sent_.values.resize(value_names_.size());
 }
 
 double Sensor::measureTime() const
@@ -36,26 +42,17 @@ double Sensor::nextTime() const
                             : std::min(measureTime(), under_way_.front().time + settings_.delay);
 }
 
-/// A first-order lag: its exact solution for an input that is constant in between.
-void Sensor::lagTo(double time)
-{
-  lagged_ = settings_.time_constant > 0.0
-                ? input_ + (lagged_ - input_) * std::exp((lag_time_ - time) / settings_.time_constant)
-                : input_;
-  lag_time_ = time;
-}
-
 void Sensor::take(const ExitRecord& exit)
 {
   if (exit.side != info_.side || info_.kind == SensorKind::LEVEL)
     return;
   if (info_.kind == SensorKind::COUNT)
     return count(exit);
-  lagTo(exit.time);
-  input_ += exit.mass;
+  lag_.advanceTo(exit.time);
+  lag_.input += exit.mass;
   // The impulse m sqrt(2 g h), over g, through the lag.
   if (settings_.time_constant > 0.0)
-    lagged_ += exit.mass * impact_time_ / settings_.time_constant;
+    lag_.output += exit.mass * impact_time_ / settings_.time_constant;
 }
 
 /// A counter whose dead time is not extended by what it misses (non-paralysable).
@@ -76,32 +73,26 @@ void Sensor::count(const ExitRecord& exit)
 double Sensor::onStretch(const Simulation& simulation) const
 {
   const DriveState base = simulation.base();
-  const double cosine = std::cos(base.inclination);
-  const double sine = std::sin(base.inclination);
   double disks = 0.0;
   simulation.forEachDisk(
       [&](const DiskState& disk)
       {
-        const double s =
-            (disk.x - base.horizontal_displacement) * cosine + (disk.y - base.displacement) * sine;
+        const double s = placeAlong(base, disk);
         disks += s >= settings_.from && s <= settings_.to ? 1.0 : 0.0;
       });
   return disks;
 }
 
-/// With noise, in steps of the resolution.
-double Sensor::shown(double value)
+double Sensor::noise()
 {
-  if (settings_.noise > 0.0)
-  {
-    // Twelve uniform numbers less six: normal within 6 standard deviations, and without a function of the C
-    // library, the same on every machine.
-    double normal = -6.0;
-    for (int k = 0; k < 12; ++k)
-      normal += uniform();
-    value += settings_.noise * normal;
-  }
-  return settings_.resolution > 0.0 ? std::round(value / settings_.resolution) * settings_.resolution : value;
+  if (settings_.noise == 0.0)
+    return 0.0;
+  // Twelve uniform numbers less six: normal within 6 standard deviations, and without a function of the C
+  // library, the same on every machine.
+  double normal = -6.0;
+  for (int k = 0; k < 12; ++k)
+    normal += uniform();
+  return settings_.noise * normal;
 }
 
 std::vector<double> Sensor::measured(const Simulation& simulation)
@@ -109,68 +100,54 @@ std::vector<double> Sensor::measured(const Simulation& simulation)
   if (info_.kind == SensorKind::COUNT)
     return counts_;
   if (info_.kind == SensorKind::LEVEL)
-    input_ = onStretch(simulation);
-  lagTo(measureTime());
-  return {shown(undisturbed() - tare_)};
+    lag_.input = onStretch(simulation);
+  lag_.advanceTo(measureTime());
+  return {inSteps(undisturbed() - tare_ + noise(), settings_.resolution)};
 }
 
 /// What a scale or a level would show without noise and tare.
 double Sensor::undisturbed() const
 {
-  return lagged_ + settings_.drift * (lag_time_ - start_time_) / SECONDS_PER_HOUR;
+  return lag_.output + settings_.drift * (lag_.time - start_time_) / SECONDS_PER_HOUR;
 }
 
-void Sensor::read(const Simulation& simulation,
-                  const std::function<void(const Sensor&, const Reading&)>& send)
+void Sensor::read(const Simulation& simulation, const SensorObserver& send)
 {
   const double now = simulation.time();
-  while (measureTime() <= now)
+  for (; measureTime() <= now; ++measurements_)
   {
     Reading reading{measureTime(), measured(simulation)};
-    ++measurements_;
     if (fault_ == "stuck" && !last_.empty())
       reading.values = last_;
     last_ = reading.values;
     if (fault_ == "nan")
-      reading.values.assign(1, std::numeric_limits<double>::quiet_NaN());
+      reading.values = {std::numeric_limits<double>::quiet_NaN()};
     if (fault_ != "dropout")
       under_way_.push_back(std::move(reading));
   }
   for (; !under_way_.empty() && under_way_.front().time + settings_.delay <= now; under_way_.pop_front())
-    send(*this, under_way_.front());
+  {
+    sent_ = under_way_.front();
+    if (send)
+      send(*this, sent_);
+  }
 }
 
 std::vector<std::string> Sensor::faults() const
 {
-  std::vector<std::string> names = {"none", "stuck", "dropout"};
-  if (info_.kind != SensorKind::COUNT)
-    names.emplace_back("nan");
-  return names;
+  if (info_.kind == SensorKind::COUNT)
+    return {"none", "stuck", "dropout"};
+  return {"none", "stuck", "dropout", "nan"};
 }
 
-std::vector<Sensor> makeSensors(const SensorParameters& parameters, const Simulation& simulation)
+std::vector<Sensor> makeSensors(const SensorParameters& parameters, const SceneDefinition& scene,
+                                double start_time)
 {
   std::vector<Sensor> sensors;
   for (std::size_t k = 0; k < SENSOR_LIST.size(); ++k)
-    if (const auto& settings = parameters[static_cast<std::size_t>(SENSOR_LIST[k].kind)])
-      sensors.emplace_back(k, *settings, simulation.scene(), simulation.time());
+    if (const auto settings = parameters.find(SENSOR_LIST[k].kind); settings != parameters.end())
+      sensors.emplace_back(k, settings->second, scene, start_time);
   return sensors;
-}
-
-std::vector<std::string> sensedNames(const SensorParameters& parameters, const SceneDefinition& scene)
-{
-  std::vector<std::string> names;
-  for (const SensorInfo& info : SENSOR_LIST)
-  {
-    if (!parameters[static_cast<std::size_t>(info.kind)])
-      continue;
-    if (info.kind != SensorKind::COUNT)
-      names.emplace_back(info.name);
-    else
-      for (const SpeciesDefinition& species : scene.species)
-        names.push_back(std::string(info.name) + "." + species.name);
-  }
-  return names;
 }
 
 double nextTime(const std::vector<Sensor>& sensors)
@@ -179,6 +156,18 @@ double nextTime(const std::vector<Sensor>& sensors)
   for (const Sensor& sensor : sensors)
     next = std::min(next, sensor.nextTime());
   return next;
+}
+
+void readDue(std::vector<Sensor>& sensors, const Simulation& simulation, const SensorObserver& send)
+{
+  for (Sensor& sensor : sensors)
+    sensor.read(simulation, send);
+}
+
+double placeAlong(const DriveState& base, const DiskState& disk)
+{
+  return (disk.x - base.horizontal_displacement) * std::cos(base.inclination) +
+         (disk.y - base.displacement) * std::sin(base.inclination);
 }
 
 }  // namespace ratchet_sieve

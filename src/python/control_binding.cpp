@@ -57,13 +57,11 @@ double* writeFields(const Struct& of, double* to)
 void writeHistogram(const std::vector<DiskState>& disks, const DriveState& base, double width,
                     std::size_t cells, double* to)
 {
-  const double cosine = std::cos(base.inclination);
-  const double sine = std::sin(base.inclination);
   const auto last = static_cast<double>(cells - 1);
   for (const DiskState& disk : disks)
   {
-    const double s = (disk.x - base.horizontal_displacement) * cosine + (disk.y - base.displacement) * sine;
-    const double cell = std::clamp(std::floor(s / width * static_cast<double>(cells)), 0.0, last);
+    const double place = placeAlong(base, disk) / width * static_cast<double>(cells);
+    const double cell = std::clamp(std::floor(place), 0.0, last);
     to[disk.species * cells + static_cast<std::size_t>(cell)] += 1.0;
   }
 }
@@ -140,7 +138,8 @@ struct Readings
     writeFields(drive, base.mutable_data(row));
     writeVelocities(before, disks, simulation->time() - start, species, mean_vx.mutable_data(row));
     writeHistogram(disks, drive, simulation->scene().base.width(), cells, histogram.mutable_data(row));
-    std::copy(running.sensed().begin(), running.sensed().end(), sensors.mutable_data(row));
+    const std::vector<double> sensed = running.sensed();
+    std::copy(sensed.begin(), sensed.end(), sensors.mutable_data(row));
     return collapse;
   }
 
@@ -266,7 +265,12 @@ void bindControl(py::module_& module)
   module.def(
       "sensed_names",
       [](const std::string& sensors, const std::shared_ptr<Scene>& scene)
-      { return sensedNames(sensorsFromText(sensors), scene->definition); },
+      {
+        std::vector<std::string> names;
+        for (const Sensor& sensor : sensorsFromText(sensors, scene->definition, 0.0))
+          names.insert(names.end(), sensor.valueNames().begin(), sensor.valueNames().end());
+        return names;
+      },
       py::arg("sensors"), py::arg("scene"));
   module.def("step_many", &stepMany, py::arg("simulations"), py::arg("names"), py::arg("setpoints"),
              py::arg("times"), py::arg("cells"), py::arg("threads"));

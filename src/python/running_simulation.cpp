@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <pybind11/pybind11.h>
 
-#include "ratchet_sieve/live/plant_reader.h"
+#include "ratchet_sieve/live/plant.h"
 #include "ratchet_sieve/recording/checkpoint.h"
 
 namespace ratchet_sieve
@@ -123,35 +123,31 @@ void RunningSimulation::pour(std::size_t species, std::size_t count,
   stoppable([&](const PourObserver& observer) { simulation->pour(species, count, stretch, observer); });
 }
 
-SensorParameters sensorsFromText(const std::string& yaml)
+std::vector<Sensor> sensorsFromText(const std::string& yaml, const SceneDefinition& scene, double start_time)
 {
-  return readSensors(copyWithoutLines(copyableYaml(yaml, "sensors")), "sensors");
+  const YAML::Node root = copyWithoutLines(copyableYaml(yaml, "sensors"));
+  return makeSensors(readSensors(root, "sensors"), scene, start_time);
 }
 
 void RunningSimulation::sense(const std::string& sensors)
 {
-  const SensorParameters parameters = sensorsFromText(sensors);
   Use simulation(*this);
-  sensors_ = makeSensors(parameters, *simulation);
-  sensed_.assign(sensedNames(parameters, simulation->scene()).size(), 0.0);
+  sensors_ = sensorsFromText(sensors, simulation->scene(), simulation->time());
   simulation->observeExits(
       [this](const ExitRecord& exit)
       {
         for (Sensor& sensor : sensors_)
           sensor.take(exit);
       });
-  readSensors(*simulation);
+  readDue(sensors_, *simulation);
 }
 
-void RunningSimulation::readSensors(const Simulation& simulation)
+std::vector<double> RunningSimulation::sensed() const
 {
-  auto place = sensed_.begin();
-  for (Sensor& sensor : sensors_)
-  {
-    sensor.read(simulation, [place](const Sensor&, const Reading& reading)
-                { std::copy(reading.values.begin(), reading.values.end(), place); });
-    place += sensor.width();
-  }
+  std::vector<double> values;
+  for (const Sensor& sensor : sensors_)
+    values.insert(values.end(), sensor.sent().values.begin(), sensor.sent().values.end());
+  return values;
 }
 
 void RunningSimulation::advanceTo(double time, const std::function<bool()>& stop_wanted)
@@ -160,7 +156,7 @@ void RunningSimulation::advanceTo(double time, const std::function<bool()>& stop
   while (simulation->time() < time && !stop_wanted())
   {
     stride_.advance(*simulation, std::min(time, nextTime(sensors_)));
-    readSensors(*simulation);
+    readDue(sensors_, *simulation);
   }
 }
 

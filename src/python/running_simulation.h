@@ -57,8 +57,8 @@ private:
   bool stop_wanted_ = false;
 };
 
-/// Reads the sensors of rs.env. @throws SceneError
-SensorParameters sensorsFromText(const std::string& yaml);
+/// The sensors of rs.env. @param start_time [s] @throws SceneError
+std::vector<Sensor> sensorsFromText(const std::string& yaml, const SceneDefinition& scene, double start_time);
 
 /// A simulation that Python holds: one thread at a time uses it.
 class RunningSimulation
@@ -101,21 +101,18 @@ public:
   void sense(const std::string& sensors);
 
   /// What each sensor sent last, one after the other: kg, disks of each species, or disks; zeros before.
-  const std::vector<double>& sensed() const { return sensed_; }
+  std::vector<double> sensed() const;
 
   /// Advances until `stop_wanted`, which is asked every few hundredths of a second. The simulation then
   /// stands at an earlier time and may be used as before. @pre Python's lock is let go @throws StallError
   void advanceTo(double time, const std::function<bool()>& stop_wanted);
 
 private:
-  void readSensors(const Simulation& simulation);
-
   std::shared_ptr<Scene> scene_;
   std::unique_ptr<Simulation> simulation_;
   std::atomic<bool> in_use_{false};
   Stride stride_;
   std::vector<Sensor> sensors_;
-  std::vector<double> sensed_;
 };
 
 }  // namespace ratchet_sieve

@@ -48,8 +48,14 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
                                                                      ros::TransportHints().tcpNoDelay()));
   }
   offerServices(private_node);
-  if (parameters.sensors[static_cast<std::size_t>(SensorKind::SCALE)])
-    offerTares(private_node);
+  for (const SensorInfo& sensor : SENSOR_LIST)
+    if (sensor.kind == SensorKind::SCALE && parameters.sensors.count(sensor.kind) > 0)
+      offer<std_srvs::Trigger>(private_node, std::string(sensor.name) + "/tare",
+                               [this, &sensor](auto&, auto& response)
+                               {
+                                 control_.tare(sensor.name);
+                                 response.success = true;
+                               });
 }
 
 /// Advertises a service. Setpoints received before its call are applied before it. @param handle of a request
@@ -104,15 +110,6 @@ void CommandServer::offerServices(ros::NodeHandle& private_node)
   offer<SetFault>(private_node, "fault",
                   [this](auto& request, auto& response)
                   { answer("fault", control_.fault(request.part, request.fault), response); });
-}
-
-void CommandServer::offerTares(ros::NodeHandle& private_node)
-{
-  for (const SensorInfo& sensor : SENSOR_LIST)
-    if (sensor.kind == SensorKind::SCALE)
-      offer<std_srvs::Trigger>(private_node, std::string(sensor.name) + "/tare",
-                               [this, &sensor](auto&, auto& response)
-                               { answer("tare", control_.tare(sensor.name), response); });
 }
 
 void CommandServer::takeSetpoint(const Setpoint& setpoint,

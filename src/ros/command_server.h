@@ -53,7 +53,6 @@ private:
   void takeSetpoint(const Setpoint& setpoint, const ros::MessageEvent<const std_msgs::Float64>& event);
   void command(Quantity quantity, double value);
   void offerServices(ros::NodeHandle& private_node);
-  void offerTares(ros::NodeHandle& private_node);
   template <typename Service, typename Handle>
   void offer(ros::NodeHandle& node, const std::string& name, const Handle& handle);
   bool resetWorld();

@@ -7,7 +7,7 @@
 
 #include <ros/console.h>
 
-#include "ratchet_sieve/live/plant_reader.h"
+#include "ratchet_sieve/live/plant.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "scene_parameters.h"
 
@@ -81,11 +81,6 @@ void readTree(const ros::NodeHandle& node, const char* name,
   const std::string source = "parameter " + node.resolveName(name);
   if (node.getParam(name, value))
     parameters = read(yamlFromParameter(value, source), source);
-}
-
-double readMount(ParameterReader& reader, const char* axis)
-{
-  return reader.number(std::string("mount/") + axis, 0.0, -MAX_DISTANCE, MAX_DISTANCE);
 }
 }  // namespace
 
@@ -184,7 +179,8 @@ NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
   }
   readTree(private_node, "actuators", readDrives, parameters.drives);
   readTree(private_node, "sensors", readSensors, parameters.sensors);
-  parameters.mount = {readMount(reader, "x"), readMount(reader, "y"), readMount(reader, "z")};
+  for (std::size_t k = 0; k < parameters.mount.size(); ++k)
+    parameters.mount[k] = reader.number(std::string("mount/") + "xyz"[k], 0.0, -MAX_DISTANCE, MAX_DISTANCE);
   parameters.frames =
       frameNames(readFramePrefix(reader, private_node.getNamespace()), parameters.mountedElsewhere());
   for (const std::string& name :

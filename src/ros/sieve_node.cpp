@@ -15,7 +15,6 @@
 #include "ratchet_sieve/ros/nodes.h"
 #include "ratchet_sieve/scene/shown_text.h"
 #include "scene_parameters.h"
-#include "sensor_publisher.h"
 #include "topic_publisher.h"
 
 namespace ratchet_sieve
@@ -55,9 +54,6 @@ public:
         transforms_(node_, &clock_),
         topics_(
             node_, [this]() -> const Run& { return control_.run(); }, parameters_, clock_, transforms_),
-        sensors_(
-            node_, parameters_.sensors, [this]() -> const Run& { return control_.run(); },
-            parameters_.frames.world, clock_),
         display_(node_, parameters_.display_rate),
         diagnostics_(control_, {real_time_factor_, pacer_, speed_}, recorder_, clock_),
         commands_(
@@ -80,7 +76,7 @@ public:
     control_.addSink(topics_);
     control_.observeExits([this](const ExitRecord& exit) { topics_.publish(exit); });
     control_.observeSensors([this](const Sensor& sensor, const Reading& reading)
-                            { sensors_.publish(sensor, reading); });
+                            { topics_.publish(sensor, reading); });
     // After the scene was checked, so that a run that cannot begin leaves no bag.
     recorder_.open();
   }
@@ -220,7 +216,6 @@ private:
   std::optional<tf2_ros::StaticTransformBroadcaster> own_world_;  ///< if the sieve has its own world frame
   TransformPublisher transforms_;
   TopicPublisher topics_;
-  SensorPublisher sensors_;
   Display display_;
   Diagnostics diagnostics_;
   CommandServer commands_;

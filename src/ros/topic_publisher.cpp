@@ -2,7 +2,11 @@
 
 #include <cmath>
 
+#include <geometry_msgs/WrenchStamped.h>
 #include <sensor_msgs/JointState.h>
+
+#include "ratchet_sieve/DeckLevel.h"
+#include "ratchet_sieve/DiskCounts.h"
 
 namespace ratchet_sieve
 {
@@ -14,6 +18,19 @@ constexpr std::uint32_t FRAME_QUEUE_SIZE = 30;
 
 /// Disks that may leave between two looks of roscpp's thread at the queue: no exit is lost.
 constexpr std::uint32_t EXIT_QUEUE_SIZE = 100000;
+
+ros::Publisher advertiseSensor(ros::NodeHandle& node, const SensorInfo& sensor)
+{
+  switch (sensor.kind)
+  {
+    case SensorKind::SCALE:
+      return node.advertise<geometry_msgs::WrenchStamped>(sensor.name, QUEUE_SIZE);
+    case SensorKind::COUNT:
+      return node.advertise<DiskCounts>(sensor.name, QUEUE_SIZE);
+    default:
+      return node.advertise<DeckLevel>(sensor.name, QUEUE_SIZE);
+  }
+}
 
 /// The base's one joint. @param turning_rate of a base on its way to a setpoint [rad/s]
 sensor_msgs::JointState jointState(const BaseFrame& frame, double turning_rate)
@@ -72,14 +89,65 @@ TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function
       [current = current_, rate = turning_rate_](const ros::SingleSubscriberPublisher& subscriber)
       { subscriber.publish(jointState(current().now<BaseFrame>(), rate)); });
   exits_ = private_node.advertise<DiskExit>("exits", EXIT_QUEUE_SIZE);
+  for (const SensorInfo& sensor : SENSOR_LIST)
+    if (parameters.sensors.count(sensor.kind) > 0)
+      sensors_[sensor.name] = advertiseSensor(private_node, sensor);
+}
+
+/// Publishes what make() gives, if there are subscribers. @param time that the clock is to have reached [s]
+template <typename Make>
+void TopicPublisher::send(const ros::Publisher& publisher, double time, Make&& make)
+{
+  if (publisher.getNumSubscribers() == 0)
+    return;
+  clock_.reach(time);
+  publisher.publish(make());
 }
 
 void TopicPublisher::publish(const ExitRecord& exit)
 {
-  if (exits_.getNumSubscribers() == 0)
-    return;
-  clock_.reach(exit.time);
-  exits_.publish(toMessage(exit, current_().simulation().scene().species[exit.species].name, frames_.world));
+  send(exits_, exit.time,
+       [&] {
+         return toMessage(exit, current_().simulation().scene().species[exit.species].name, frames_.world);
+       });
+}
+
+void TopicPublisher::publish(const Sensor& sensor, const Reading& reading)
+{
+  const Simulation& simulation = current_().simulation();
+  const auto sendAs = [&](auto message, const auto& fill)
+  {
+    message.header.stamp = ros::Time(reading.time);
+    message.header.frame_id = frames_.world;
+    send(sensors_.at(sensor.info().name), simulation.time(),
+         [&]
+         {
+           fill(message);
+           return message;
+         });
+  };
+  switch (sensor.info().kind)
+  {
+    case SensorKind::SCALE:
+      return sendAs(
+          geometry_msgs::WrenchStamped(), [&](auto& message)
+          { message.wrench.force.z = 0.0 - reading.values[0] * simulation.scene().gravity; });  // no -0.0
+    case SensorKind::COUNT:
+      return sendAs(DiskCounts(),
+                    [&](auto& message)
+                    {
+                      message.time = reading.time;
+                      message.species = speciesNames(simulation.scene());
+                      message.count.assign(reading.values.begin(), reading.values.end());
+                    });
+    default:
+      return sendAs(DeckLevel(),
+                    [&](auto& message)
+                    {
+                      message.time = reading.time;
+                      message.level = reading.values[0];
+                    });
+  }
 }
 
 bool TopicPublisher::wants(FrameKind kind) const
@@ -105,19 +173,14 @@ void TopicPublisher::take(const AnyFrame& any)
   if (any.kind() == FrameKind::PARTICLES && isHeard(FrameKind::PARTICLES))
     transforms_.publish(current_().now<BaseFrame>(), frames_);
   any.visit([this](const auto& frame) { publish(frame); });
-  if (const BinFrame* bins = any.as<BinFrame>(); bins != nullptr && purity_.getNumSubscribers() > 0)
+  if (const BinFrame* bins = any.as<BinFrame>())
+    send(purity_, bins->time,
+         [&] { return purityOf(current_().simulation(), bins->window_start, frames_.world); });
+  if (const BaseFrame* base = any.as<BaseFrame>())
   {
-    clock_.reach(bins->time);
-    purity_.publish(purityOf(current_().simulation(), bins->window_start, frames_.world));
+    transforms_.publish(*base, frames_);
+    send(joint_states_, base->time, [&] { return jointState(*base, turning_rate_); });
   }
-  const BaseFrame* base = any.as<BaseFrame>();
-  if (base == nullptr)
-    return;
-  transforms_.publish(*base, frames_);
-  if (joint_states_.getNumSubscribers() == 0)
-    return;
-  clock_.reach(base->time);
-  joint_states_.publish(jointState(*base, turning_rate_));
 }
 
 }  // namespace ratchet_sieve

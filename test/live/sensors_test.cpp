@@ -4,11 +4,11 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numeric>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
-#include "ratchet_sieve/live/plant_reader.h"
+#include "ratchet_sieve/live/plant.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "small_scenes.h"
 
@@ -16,17 +16,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-struct Sent
-{
-  double sent;  // s
-  double time;  // s, of the measurement
-  std::vector<double> values;
-
-  bool operator==(const Sent& other) const
-  {
-    return sent == other.sent && time == other.time && values == other.values;
-  }
-};
+using Sent = std::tuple<double, double, std::vector<double>>;  // when, of which measurement [s], values
 
 SensorParameters parametersOf(const std::string& yaml)
 {
@@ -38,7 +28,7 @@ class Instrumented
 {
 public:
   explicit Instrumented(const std::string& yaml, SceneDefinition scene = smallMixture())
-      : simulation_(scene), sensors_(makeSensors(parametersOf(yaml), simulation_))
+      : simulation_(scene), sensors_(makeSensors(parametersOf(yaml), scene, 0.0))
   {
     simulation_.observeExits(
         [this](const ExitRecord& exit)
@@ -46,7 +36,7 @@ public:
           for (Sensor& sensor : sensors_)
             sensor.take(exit);
         });
-    read();
+    readAll();
   }
 
   /// @param stride [s] of advances
@@ -55,68 +45,46 @@ public:
     while (simulation_.time() < until)
     {
       simulation_.advanceTo(std::min({until, simulation_.time() + stride, nextTime(sensors_)}));
-      read();
+      readAll();
     }
     return *this;
   }
 
-  Sensor& sensor(const std::string& name)
-  {
-    return *std::find_if(sensors_.begin(), sensors_.end(),
-                         [&](const Sensor& sensor) { return sensor.info().name == name; });
-  }
+  /// Of the only sensor.
+  void fault(const std::string& fault) { sensors_.front().setFault(fault); }
 
-  const Simulation& simulation() const { return simulation_; }
   std::map<std::string, std::vector<Sent>> sent;
 
 private:
-  void read()
+  void readAll()
   {
-    for (Sensor& sensor : sensors_)
-      sensor.read(simulation_,
-                  [this](const Sensor& from, const Reading& reading) {
-                    sent[from.info().name].push_back({simulation_.time(), reading.time, reading.values});
-                  });
+    readDue(sensors_, simulation_,
+            [this](const Sensor& from, const Reading& reading)
+            { sent[from.info().name].emplace_back(simulation_.time(), reading.time, reading.values); });
   }
 
   Simulation simulation_;
   std::vector<Sensor> sensors_;
 };
 
+double valueOf(const Sent& sent)
+{
+  return std::get<2>(sent).front();
+}
+
 /// @return the counts of `disks` disks of the first of two species that leave a second apart, or `interval`
 std::vector<double> countsOf(const std::string& settings, int disks, double interval = 1.0)
 {
   SceneDefinition scene = smallRing();
-  Sensor counter(2, *parametersOf("{count: {rate: 1, " + settings + "}}")[1], scene, 0.0);
+  Sensor counter(2, parametersOf("{count: {rate: 1, " + settings + "}}")[SensorKind::COUNT], scene, 0.0);
   ExitRecord exit;
   for (int k = 0; k < disks; ++k)
   {
     exit.time = interval * k;
     counter.take(exit);
   }
-  std::vector<double> counts;
-  counter.read(Simulation(scene), [&](const Sensor&, const Reading& reading) { counts = reading.values; });
-  return counts;
-}
-
-constexpr const char* ALL = "{scale: {rate: 5}, count: {rate: 5}, level: {rate: 5}}";
-
-TEST(Sensors, AreExactByDefault)
-{
-  Instrumented machine(ALL);
-  machine.run(2.0);
-  const std::vector<SpeciesBins> bins = machine.simulation().bins();
-  ASSERT_GT(bins[0].left + bins[0].right + bins[1].left + bins[1].right, 3u);
-  EXPECT_NEAR(machine.sent["left/scale"].back().values[0], bins[0].left_mass + bins[1].left_mass, 1e-12);
-  EXPECT_NEAR(machine.sent["right/scale"].back().values[0], bins[0].right_mass + bins[1].right_mass, 1e-12);
-  for (std::size_t k = 0; k < bins.size(); ++k)
-  {
-    EXPECT_EQ(machine.sent["left/count"].back().values[k], static_cast<double>(bins[k].left));
-    EXPECT_EQ(machine.sent["right/count"].back().values[k], static_cast<double>(bins[k].right));
-  }
-  EXPECT_EQ(machine.sent["level"].front().values[0], 12.0);
-  EXPECT_EQ(machine.sent["level"].back().values[0], static_cast<double>(bins[0].on_base + bins[1].on_base));
-  EXPECT_EQ(machine.sent["level"].size(), 11u);
+  counter.read(Simulation(scene));
+  return counter.sent().values;
 }
 
 TEST(Sensors, ReadTheSameHoweverTheRunIsDivided)
@@ -137,7 +105,7 @@ TEST(Sensors, SendLateWhatTheyMeasured)
   const auto now = Instrumented("{level: {rate: 4}}").run(2.0).sent.at("level");
   ASSERT_EQ(sent.size(), 6u);
   for (std::size_t k = 0; k < sent.size(); ++k)
-    EXPECT_EQ(sent[k], (Sent{0.25 * static_cast<double>(k) + 0.6, now[k].time, now[k].values}));
+    EXPECT_EQ(sent[k], Sent(std::get<1>(now[k]) + 0.6, std::get<1>(now[k]), std::get<2>(now[k])));
 }
 
 TEST(Sensors, HaveNoiseOfItsStandardDeviationAndAResolution)
@@ -148,40 +116,37 @@ TEST(Sensors, HaveNoiseOfItsStandardDeviationAndAResolution)
   const auto& readings = sent.at("left/scale");
   for (const Sent& reading : readings)
   {
-    EXPECT_EQ(std::remainder(reading.values[0], 0.25), 0.0);
-    sum += reading.values[0];
-    squares += reading.values[0] * reading.values[0];
+    EXPECT_EQ(std::remainder(valueOf(reading), 0.25), 0.0);
+    sum += valueOf(reading);
+    squares += valueOf(reading) * valueOf(reading);
   }
   const auto count = static_cast<double>(readings.size());
   EXPECT_NEAR(sum / count, 0.0, 4.0 * 0.5 / std::sqrt(count));
   // Sheppard's correction for the rounding: h^2 / 12.
   EXPECT_NEAR(squares / count, 0.25 + 0.0625 / 12.0, 4.0 * 0.25 * std::sqrt(2.0 / count));
-  EXPECT_NE(sent.at("right/scale").back().values, readings.back().values);
+  EXPECT_NE(sent.at("right/scale"), readings);
 }
 
 TEST(Sensors, LagDriftFeelImpactsAndAreTared)
 {
-  SceneDefinition scene = smallRing();
-  Sensor scale(0, *parametersOf("{scale: {rate: 1, time_constant: 2, drift: 3.6, drop_height: 0.4905}}")[0],
-               scene, 0.0);
-  std::vector<double> values;
-  const auto read = [&](double time)
+  const SceneDefinition scene = smallRing();
+  const std::string settings = "{scale: {rate: 1, time_constant: 2, drift: 3.6, drop_height: 0.4905}}";
+  Sensor scale(0, parametersOf(settings)[SensorKind::SCALE], scene, 0.0);
+  Simulation simulation(scene);
+  const auto valueAt = [&](double time)
   {
-    Simulation simulation(scene);
     simulation.advanceTo(time);
-    scale.read(simulation,
-               [&](const Sensor&, const Reading& reading) { values.push_back(reading.values[0]); });
+    scale.read(simulation);
+    return scale.sent().values[0];
   };
   ExitRecord exit;
   exit.mass = 4.0;
   scale.take(exit);  // at 0 s; sqrt(2 h / g) = 0.1 s^0.5: 0.316 s
   const double impact = 4.0 * std::sqrt(0.1) / 2.0;
-  read(1.0);
-  EXPECT_NEAR(values[0], impact, 1e-12);
-  EXPECT_NEAR(values[1], 4.0 + (impact - 4.0) * std::exp(-0.5) + 0.001, 1e-12);
+  EXPECT_NEAR(valueAt(0.0), impact, 1e-12);
+  EXPECT_NEAR(valueAt(1.0), 4.0 + (impact - 4.0) * std::exp(-0.5) + 0.001, 1e-12);
   scale.tare();
-  read(2.0);
-  EXPECT_NEAR(values[2], (impact - 4.0) * (std::exp(-1.0) - std::exp(-0.5)) + 0.001, 1e-12);
+  EXPECT_NEAR(valueAt(2.0), (impact - 4.0) * (std::exp(-1.0) - std::exp(-0.5)) + 0.001, 1e-12);
 }
 
 TEST(Sensors, MissAndConfuseDisks)
@@ -200,24 +165,20 @@ TEST(Sensors, AreBlindInTheirDeadTime)
 
 TEST(Sensors, Fail)
 {
-  Instrumented machine("{level: {rate: 10, noise: 1}}");
-  auto& sent = machine.sent["level"];
-  machine.run(0.25);
-  machine.sensor("level").setFault("stuck");
-  machine.run(0.55);
+  const std::string settings = "{level: {rate: 10, noise: 1}}";
+  Instrumented machine(settings);
+  const auto& sent = machine.sent["level"];
+  machine.run(0.25).fault("stuck");
+  machine.run(0.55).fault("dropout");
   EXPECT_EQ(sent.size(), 6u);
-  EXPECT_EQ(sent[5].values, sent[2].values);
-  EXPECT_DOUBLE_EQ(sent[5].time, 0.5);
-  machine.sensor("level").setFault("dropout");
-  machine.run(0.85);
+  EXPECT_EQ(valueOf(sent[5]), valueOf(sent[2]));
+  EXPECT_DOUBLE_EQ(std::get<1>(sent[5]), 0.5);
+  machine.run(0.85).fault("nan");
   EXPECT_EQ(sent.size(), 6u);
-  machine.sensor("level").setFault("nan");
-  machine.run(0.95);
-  EXPECT_TRUE(std::isnan(sent.back().values[0]));
-  machine.sensor("level").setFault("none");
+  machine.run(0.95).fault("none");
+  EXPECT_TRUE(std::isnan(valueOf(sent.back())));
   machine.run(1.05);
-  EXPECT_EQ(sent.back().values,
-            Instrumented("{level: {rate: 10, noise: 1}}").run(1.05).sent["level"].back().values);
+  EXPECT_EQ(sent.back(), Instrumented(settings).run(1.05).sent["level"].back());
 }
 
 template <typename Read>
@@ -249,8 +210,11 @@ TEST(PlantReader, SaysWhatIsAllowed)
   EXPECT_EQ(sensors("7"), "parameter /sieve: sensors = 7: must be a map");
   EXPECT_EQ(drives("{frequency: {dead_time: -1}}"),
             "parameter /sieve:1: frequency.dead_time = -1: must be a number from 0 to 3600 s");
-  EXPECT_EQ(drives("{amplitude: {over_frequency: [[20, 1], [20, 2]]}}"),
-            "parameter /sieve:1: amplitude.over_frequency.1.0 = 20: must be above the frequency before");
+  EXPECT_EQ(
+      drives("{amplitude: {over_frequency: [[20, 1], [20, 2]]}}"),
+      "parameter /sieve:1: amplitude.over_frequency.1.0 = 20: must be another frequency than those before");
+  EXPECT_EQ(drives("{amplitude: {over_frequency: [[20]]}}"),
+            "parameter /sieve:1: amplitude.over_frequency.0: must be a pair [frequency, factor]");
   EXPECT_EQ(drives("{amplitude: {over_frequency: [20, 1]}}"),
             "parameter /sieve:1: amplitude.over_frequency.0 = 20: must be a list");
 }

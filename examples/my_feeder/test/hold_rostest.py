@@ -23,8 +23,8 @@ class Line:
         rospy.Subscriber(f'/{line}/sieve/base', BaseState, self.base.append, tcp_nodelay=True)
         self.sieve.wait_for(lambda: self.reports and self.reports[-1].header.stamp.to_sec() > 0.0, 'report of a run')
 
-    def begin(self):
-        self.sieve.reset()
+    def begin(self, *overrides):
+        self.sieve.reset(overrides=overrides)
         self.sieve.wait_for(lambda: self.bins and self.bins[-1].time == 0.0, 'bins of the new run')
         del self.bins[:-1]
 
@@ -69,6 +69,12 @@ class TestHold(unittest.TestCase):
 
     def test_with_those_of_a_real_machine(self):
         self.holds(self.real, 0.03)
+
+    def test_a_feed_that_ends_is_no_fault_of_a_sensor(self):
+        self.exact.begin('feed.rate=0')
+        run = self.exact.run(60.0)
+        self.assertEqual(sum(self.exact.bins[-1].on_base), 0)
+        self.assertEqual((run[-1], self.exact.reports[-1].fault), (run[-2], ''))
 
     def test_a_sensor_that_is_stuck_is_noticed(self):
         line = self.real

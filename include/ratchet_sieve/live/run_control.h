@@ -76,9 +76,7 @@ public:
   void addSink(FrameSink& sink);
 
   /// Calls the observer with each disk that leaves, of this run and the later ones.
-  void observeExits(ExitObserver observer);
-
-  using SensorObserver = std::function<void(const Sensor&, const Reading&)>;
+  void observeExits(ExitObserver observer) { exit_observer_ = std::move(observer); }
 
   /// Calls the observer with each reading when it is sent, of this run and the later ones.
   void observeSensors(SensorObserver observer) { sensor_observer_ = std::move(observer); }
@@ -133,20 +131,17 @@ public:
   Outcome fault(const std::string& part, const std::string& fault);
 
   /// Sets a scale to zero. @param name of SENSOR_LIST
-  Outcome tare(const std::string& name);
+  void tare(const std::string& name);
 
 private:
   std::optional<std::string> whyNoStep(double duration) const;
   Outcome advance(double duration, const Stride& stride);
   Scene readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const;
   void announce(const Scene& scene) const;
-  std::unique_ptr<Run> makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,
-                               double start_time, double end_time);
-  std::vector<CommandFrame> openingOf(const Drives& drives) const;
-  void watchExits(Run& run);
+  std::unique_ptr<Run> makeRun(const SceneDefinition& scene, double start_time, double end_time);
   void begin(std::unique_ptr<Run> run, const Drives& drives);
+  std::vector<CommandFrame> driveCommands() const;
   void followDrives();
-  void readSensors();
 
   YAML::Node scene_;
   std::string source_;

@@ -6,52 +6,15 @@
 #include <deque>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/live/plant.h"
 
 namespace ratchet_sieve
 {
-
-enum class SensorKind
-{
-  SCALE,  ///< under a bin: the mass of what lies in it [kg]
-  COUNT,  ///< at an end: the number of disks of each species that have passed
-  LEVEL   ///< over the base: the number of disks on a stretch of it
-};
-
-constexpr const char* SENSOR_KIND_NAMES[] = {"scale", "count", "level"};  ///< in the order of SensorKind
-constexpr std::size_t SENSOR_KINDS = 3;
-
-struct SensorSettings
-{
-  double rate = 10.0;  ///< readings per second of simulated time
-  double delay = 0.0;  ///< from the measurement until it is sent [s]
-
-  // Of scales and levels, in kg and disks.
-  double noise = 0.0;          ///< standard deviation
-  double resolution = 0.0;     ///< a reading is a multiple of it; 0: any value
-  double time_constant = 0.0;  ///< of a first-order lag [s]
-
-  // Of scales.
-  double drift = 0.0;        ///< of zero, since the start [kg/h]
-  double drop_height = 0.0;  ///< from which disks fall onto it [m]; their impact passes the lag
-
-  // Of counters.
-  double dead_time = 0.0;  ///< after a disk that was counted none is [s]
-  double miss = 0.0;       ///< probability that a disk is not counted
-  double confusion = 0.0;  ///< probability that it is taken for one of another species, all equally likely
-
-  // Of levels: the stretch, along the base [m].
-  double from = -std::numeric_limits<double>::infinity();
-  double to = std::numeric_limits<double>::infinity();
-};
-
-/// In the order of SensorKind; nothing: there is none of the kind.
-using SensorParameters = std::array<std::optional<SensorSettings>, SENSOR_KINDS>;
 
 /// One sensor of a machine.
 struct SensorInfo
@@ -76,6 +39,9 @@ struct Reading
   std::vector<double> values;  ///< kg, disks of each species, or disks
 };
 
+class Sensor;
+using SensorObserver = std::function<void(const Sensor&, const Reading&)>;
+
 /// One sensor. It has its own random numbers: the same scene, seed and motion give the same readings.
 class Sensor
 {
@@ -85,8 +51,11 @@ public:
 
   const SensorInfo& info() const { return info_; }
 
-  /// The number of values of a reading.
-  std::size_t width() const { return info_.kind == SensorKind::COUNT ? counts_.size() : 1; }
+  /// Of the values of a reading, such as left/scale, or left/count.A.
+  const std::vector<std::string>& valueNames() const { return value_names_; }
+
+  /// What it sent last; before, zeros.
+  const Reading& sent() const { return sent_; }
 
   /// A disk leaves. In the order of time, before any later measurement.
   void take(const ExitRecord& exit);
@@ -94,7 +63,7 @@ public:
   double nextTime() const;  ///< of a measurement or a sending [s]
 
   /// Measures and sends what is due. @pre the simulation was not advanced beyond nextTime()
-  void read(const Simulation& simulation, const std::function<void(const Sensor&, const Reading&)>& send);
+  void read(const Simulation& simulation, const SensorObserver& send = {});
 
   /// What lies on a scale now counts as nothing.
   void tare() { tare_ = undisturbed(); }
@@ -107,8 +76,7 @@ private:
   double measureTime() const;
   std::vector<double> measured(const Simulation& simulation);
   double undisturbed() const;
-  double shown(double value);
-  void lagTo(double time);
+  double noise();
   void count(const ExitRecord& exit);
   double onStretch(const Simulation& simulation) const;
   double uniform() { return static_cast<double>(random_() >> 11) * 0x1.0p-53; }
@@ -117,26 +85,30 @@ private:
   SensorSettings settings_;
   double start_time_;
   double impact_time_;  ///< of a fall from drop_height [s]
+  std::vector<std::string> value_names_;
   std::mt19937_64 random_;
   std::uint64_t measurements_ = 0;
-  double input_ = 0.0;   ///< of the lag: mass [kg] or disks
-  double lagged_ = 0.0;  ///< at lag_time_
-  double lag_time_;      ///< [s]
-  double tare_ = 0.0;    ///< [kg]
+  Lag lag_;            ///< of a mass [kg] or disks
+  double tare_ = 0.0;  ///< [kg]
   std::vector<double> counts_;
   double counted_until_ = -std::numeric_limits<double>::infinity();  ///< end of the dead time [s]
   std::string fault_ = "none";
   std::vector<double> last_;  ///< values measured, for a sensor that sticks
   std::deque<Reading> under_way_;
+  Reading sent_;
 };
 
-/// Makes the sensors of a run, in the order of SENSOR_LIST.
-std::vector<Sensor> makeSensors(const SensorParameters& parameters, const Simulation& simulation);
-
-/// Of all values of all readings, such as left/scale and left/count.A.
-std::vector<std::string> sensedNames(const SensorParameters& parameters, const SceneDefinition& scene);
+/// Makes the sensors of a run, in the order of SENSOR_LIST. @param start_time [s]
+std::vector<Sensor> makeSensors(const SensorParameters& parameters, const SceneDefinition& scene,
+                                double start_time);
 
 /// When the next one measures or sends [s]; infinity without sensors.
 double nextTime(const std::vector<Sensor>& sensors);
+
+/// Measures and sends what is due, of all of them.
+void readDue(std::vector<Sensor>& sensors, const Simulation& simulation, const SensorObserver& send = {});
+
+/// The place of a disk along the base [m].
+double placeAlong(const DriveState& base, const DiskState& disk);
 
 }  // namespace ratchet_sieve

@@ -47,7 +47,7 @@ class Holder:
         # Not "outside": NaN, too, is a fault.
         if not (max(counted, weighed) < LEAST or weighed / AGREE < counted < weighed * AGREE):
             self.fault = f'{counted:.2f} kg counted, {weighed:.2f} kg weighed since {start:.1f} s'
-        if self.fault or time - start < self.window:
+        if self.fault or time - start < self.window or not any(left):
             return
         error = self.purity - left[0] / sum(left)
         self.integral += self.gain / self.integral_time * error * (time - self.time)
