@@ -25,7 +25,7 @@ from ratchet_sieve.progress import Progress
 from ratchet_sieve.scene import AnyScene, scene_of
 from ratchet_sieve.values import Values
 
-FIRST = 24         # places for each unknown key that are run first
+FIRST = 10         # places for each unknown key that are run first (Loeppky et al., Technometrics 51, 366 (2009))
 MORE = 32          # places that are run where the weights are, each time
 MOST_ROUNDS = 8    # of these
 REFUSED_AFTER = 3  # of them, where nothing agrees
@@ -52,9 +52,9 @@ def calibrate(scene: AnyScene, unknown: Mapping[str, Any], measured: Any, *, ove
     results   file that keeps the runs (SQLite): the same call continues. None: kept nowhere
     Raises SceneError, ValueError before anything runs, OSError, BagError; RuntimeError where the runs say nothing.
     """
-    more = settings_of(over) if over else []
-    search = Calibration(scene_of(scene), unknown, measured, seed, threads=integer("threads", threads),
-                         results=results)
+    scene = scene_of(scene)
+    search = Calibration(scene, unknown, measured, seed, threads=integer("threads", threads), results=results)
+    more = settings_of(scene, over, unknown) if over else []
     clocks = time.monotonic(), time.process_time()
     with Progress(progress, "calibrate") as bar:
         bar.say(str(search.data))

@@ -147,6 +147,6 @@ def _rows(measured: Any, unknown: list[str]) -> list[dict]:
 def _table(path: Any) -> pandas.DataFrame:
     """Raises ValueError, OSError."""
     try:
-        return pandas.read_csv(path, skipinitialspace=True, index_col=False)
+        return pandas.read_csv(path, skipinitialspace=True, index_col=False, encoding="utf-8-sig")
     except ValueError as error:
         raise ValueError(f"measured = {os.fspath(path)!r}: no table: {' '.join(str(error).split())}") from None

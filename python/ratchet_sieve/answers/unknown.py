@@ -55,6 +55,7 @@ class Prior(Unknown):
             raise ValueError(f"unknown: must name a key, such as {EXAMPLE}")
         self._distributions = [_distribution(scene, key, ends) for key, ends in unknown.items()]
         super().__init__(list(unknown), self.values(spread(len(unknown), ROWS, 0)))
+        scene.replace(self.middle)  # warns of what is implausible
 
     def values(self, places: np.ndarray) -> np.ndarray:
         """@param places (n, d) from 0 to 1, of which equal parts are equally likely @return (n, d)"""
