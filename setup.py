@@ -22,5 +22,5 @@ class BuildByCmake(build_ext):
         subprocess.run(["cmake", "--build", built, "--parallel", str(len(os.sched_getaffinity(0))), "--target", "ratchet_sieve_engine"], check=True)
 
 
-setup(version=re.search(r"project\(ratchet_sieve VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1),
+setup(version=re.search(r"<version>(.+)</version>", (ROOT / "package.xml").read_text()).group(1),
       ext_modules=[Extension("ratchet_sieve._engine", [])], cmdclass={"build_ext": BuildByCmake})

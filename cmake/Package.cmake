@@ -40,7 +40,7 @@ file(STRINGS package.xml maintainer REGEX "<maintainer ")
 string(REGEX REPLACE ".*email=\"(.*)\">(.*)</.*" "\\2 <\\1>" CPACK_PACKAGE_CONTACT "${maintainer}")
 set(CPACK_DEBIAN_ENGINE_PACKAGE_NAME ratchet-sieve)
 set(CPACK_COMPONENT_ENGINE_DESCRIPTION "exact simulation of a vibrating-ratchet feeder
- Hard disks on an oscillating sawtooth, which parts them by kind: programs for one
+ Hard disks on an oscillating sawtooth, which separates them: programs for one
  run, sweeps and the best settings, and the Python package.")
 # The module is built for one version of Python.
 math(EXPR NEXT "${PYTHON_VERSION_MINOR} + 1")

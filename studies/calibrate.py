@@ -23,6 +23,7 @@ MARK = "calibrate-coverage"
 THETA, F, AMPLITUDE = "base.inclination", "base.frequency", "base.amplitude"
 SETTINGS = [{THETA: 0.0}, {THETA: 0.1}, {THETA: 0.2}, {THETA: 0.1, F: 35.0}]  # each of 120 s, some 800 grains
 E, MU, BETA = "restitution", "friction", "tangential_restitution"
+SYMBOLS = {E: "e", MU: "μ", BETA: "β", "amplitude": "amplitude"}
 RANGES = {E: (0.7, 0.99), MU: (0.05, 0.5), BETA: (0.2, 0.7)}
 ONE = {f"species.0.{name}": ends for name, ends in RANGES.items()}
 TWO = {**ONE, f"species.1.{E}": RANGES[E], f"species.1.{MU}": RANGES[MU]}
@@ -30,8 +31,8 @@ FRESH = 800_000_000  # first seed of measurements, of which no calibration knows
 WRONG = 1.1          # of the amplitude
 SEPARATED = "two"    # the problem whose grains are then separated
 OVER, WITHIN, OWN = {THETA: (0.0, 0.35)}, 0.04, {THETA: 0.1}
-COLUMNS = {"truths": "feeders", "agree": "agree", "held": "intervals that hold", "e": "e ±", "cost": "cost [s]",
-           "separated": "s within its spread"}
+COLUMNS = {"truths": "feeders", "agree": "agree", "held": "intervals that hold", "half": "median ±",
+           "cost": "cost [s]", "separated": "s within its spread"}
 
 
 def feeder(*species):
@@ -80,23 +81,24 @@ def measure(name, feeders, results):
     tells the cost @return the figures as texts"""
     scene, unknown, hidden, _ = problems()[name]
     drawn = Prior(scene, unknown).values(np.random.default_rng(1).random((feeders, len(unknown))))
-    held, half_widths, agree, within = dict.fromkeys(unknown, 0), [], 0, 0
+    found, within = [], 0
     for k, values in enumerate(drawn):
         truth = dict(zip(unknown, map(float, values)))
         grains = rs.calibrate(scene, unknown, measured(scene.replace({**truth, **hidden}), FRESH + 100 * k), threads=1,
                               results=results if k else None, progress=False)
         cost = cost if k else grains.cost.processor
-        agree += grains.agrees
-        print(name, k, f"chi² {grains.chi_squared:.1f}", f"{grains.cost.processor:.1f} s", grains.cost.runs, flush=True)
-        for key, value in truth.items() if grains.agrees else ():
-            found = grains[key]
-            held[key] += abs(found.value - value) <= found.half_width
-            half_widths += [found.half_width] if key.endswith(f".{E}") else []
-            print("  ", key, f"{value:.3f}", found, abs(found.value - value) <= found.half_width, flush=True)
-        within += name == SEPARATED and grains.agrees and is_within_spread(scene, grains, truth)
-    return {"truths": f"{feeders}", "agree": f"{agree}", "cost": f"{cost:.2g}",
-            "e": f"{statistics.median(half_widths):.3f}" if half_widths else "—",
-            "held": "—" if hidden else ", ".join(map(str, held.values())),
+        print(name, k, truth, grains, sep="\n", flush=True)
+        if grains.agrees:
+            found.append([(grains[key].half_width, abs(grains[key].value - value)) for key, value in truth.items()])
+            within += name == SEPARATED and is_within_spread(scene, grains, truth)
+
+    def of_each(text):
+        return "—" if hidden or not found else ", ".join(
+            f"{SYMBOLS[key.rpartition('.')[2]]} {text(of_key)}" for key, of_key in zip(unknown, zip(*found)))
+
+    return {"truths": f"{feeders}", "agree": f"{len(found)}", "cost": f"{cost:.2g}",
+            "held": of_each(lambda of_key: sum(away <= half for half, away in of_key)),
+            "half": of_each(lambda of_key: f"{statistics.median(half for half, _ in of_key):.2g}"),
             "separated": f"{within}" if name == SEPARATED else "—"}
 
 

@@ -38,12 +38,16 @@ def filled(text, indent):
 
 
 def checks(claims):
-    """What came out of each claim, a line for each check. The claims' texts stand in their table."""
+    """What came out of each claim, in an item for each check; of one check in the claim's own. The claims' texts stand in
+    their table."""
     lines = []
     for claim in sorted(claims, key=order):
         kind = "Addition" if claim.is_addition() else "Claim"
-        lines.append(filled(f"{kind} {claim.number}{'' if ':' in claim.verdict() else ' ' + verdict(claim)}:", ""))
-        lines += [filled(check.text(), "  ") for check in claim.checks]
+        begins = f"{kind} {claim.number}{'' if ':' in claim.verdict() else ' ' + verdict(claim)}:"
+        if len(claim.checks) == 1:
+            lines.append(filled(f"{begins} {claim.checks[0].says}: {claim.checks[0].came_out}", ""))
+        else:
+            lines += [filled(begins, ""), *(filled(check.text(), "  ") for check in claim.checks)]
     return "\n".join(lines)
 
 

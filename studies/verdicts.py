@@ -7,8 +7,8 @@ from ratchet_sieve.stats import signs
 RULE = ("A check compares a mean with a bound. It *holds* or *does not hold* where the 95 % interval (Student's t over "
         "the independent samples) lies wholly on one side of the bound, and is *undecided* otherwise. It is *possible* "
         "where it holds for a value that was chosen among several and not confirmed by fresh seeds. A check of many "
-        "comparisons is corrected for their number by Holm's method: \"8 of 8\" are significant at 5 % together. "
-        "Different claims are not corrected for their number. A claim has the verdict of its checks; where they "
+        "comparisons is corrected for their number by Holm's method: \"8 of 8\" says that all eight together are "
+        "significant at 5 %. Different claims are not corrected for their number. A claim has the verdict of its checks; where they "
         "differ, it says which.")
 
 HOLDS = "holds"

@@ -22,10 +22,10 @@ std::optional<Choke> chokeOf(const Simulation& simulation)
     choke.left += static_cast<double>(bins.counted());
     choke.fed += static_cast<double>(bins.counted() + bins.on_base);
   }
-  choke.layers = feedGrowth(scene) * (choke.fed - choke.left) / feedRate(scene) / largestDiameter(scene);
-  if (2.0 * choke.left >= choke.fed || choke.layers <= CHOKED_LAYER)
+  if (2.0 * choke.left >= choke.fed)
     return std::nullopt;
-  return choke;
+  choke.layers = feedGrowth(scene) * (choke.fed - choke.left) / feedRate(scene) / largestDiameter(scene);
+  return choke.layers > CHOKED_LAYER ? std::optional(choke) : std::nullopt;
 }
 
 }  // namespace ratchet_sieve

@@ -1,7 +1,5 @@
 #include "html_page.h"
 
-#include <cstddef>
-#include <cstring>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -51,11 +49,6 @@ std::string htmlText(const std::string& text)
 
 }  // namespace
 
-std::size_t lengthOf(const PageTemplate& page)
-{
-  return std::strlen(page.head) + std::strlen(page.body) + std::strlen(page.tail);
-}
-
 std::string base64(const std::string& bytes)
 {
   using namespace boost::archive::iterators;
@@ -83,19 +76,22 @@ std::string jsonForHtml(const nlohmann::ordered_json& json)
   return text;
 }
 
-std::string pageText(const PageTemplate& page, const std::string& title, const nlohmann::ordered_json& json,
+std::string pageText(std::string_view page, const std::string& title, const nlohmann::ordered_json& json,
                      const std::vector<PageData>& data)
 {
+  const std::string_view title_mark = "{{title}}", data_mark = "{{data}}";
+  const std::size_t title_at = page.find(title_mark), data_at = page.find(data_mark);
   std::ostringstream out;
-  out << page.head << htmlText(shownText(title)) << page.body;
+  out << page.substr(0, title_at) << htmlText(shownText(title))
+      << page.substr(title_at + title_mark.size(), data_at - title_at - title_mark.size());
   out << R"(<script type="application/json" id="data">)" << jsonForHtml(json) << "</script>\n";
   for (const PageData& each : data)
     out << R"(<script type="text/plain" id=")" << each.id << R"(">)" << base64(each.bytes) << "</script>\n";
-  out << page.tail;
+  out << page.substr(data_at + data_mark.size());
   return out.str();
 }
 
-void writePage(AtomicFile&& file, const PageTemplate& page, const std::string& title,
+void writePage(AtomicFile&& file, std::string_view page, const std::string& title,
                const nlohmann::ordered_json& json, const std::vector<PageData>& data)
 {
   file.stream() << pageText(page, title, json, data);

@@ -20,13 +20,6 @@ using Json = nlohmann::ordered_json;
 /// The largest seed that JavaScript tells from the next.
 constexpr std::uint64_t LARGEST_SEED = (1ULL << 53) - 1;
 
-std::string definitionBytes(SceneDefinition scene)
-{
-  StateArchive archive;
-  scene.archive(archive);
-  return archive.takeBytes();
-}
-
 /// What the sliders of the commanded quantities need: a node's limits, wider where the scene is beyond them.
 Json quantitiesOf(const SceneDefinition& scene)
 {
@@ -50,12 +43,14 @@ Json quantitiesOf(const SceneDefinition& scene)
 Json sceneOf(const OfferedScene& offered)
 {
   const SceneDefinition& scene = offered.scene.definition;
+  StateArchive archive;
+  SceneDefinition(scene).archive(archive);
   return {{"name", offered.name},
           {"title", offered.title},
           {"sentence", offered.sentence},
           {"yaml", canonicalYaml(scene)},
           {"warnings", offered.scene.warnings},
-          {"definition", base64(definitionBytes(scene))},
+          {"definition", base64(archive.takeBytes())},
           {"seed", std::min(scene.seed, LARGEST_SEED)},
           {"feed_rate", scene.feed.rate},
           {"quantities", quantitiesOf(scene)},

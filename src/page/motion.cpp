@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <unordered_map>
 #include <utility>
 
@@ -54,27 +53,14 @@ std::uint32_t zigzag(std::int32_t number)
   return (static_cast<std::uint32_t>(number) << 1U) ^ (number < 0 ? 0xFFFFFFFFU : 0U);
 }
 
-std::uint64_t bitsOf(double number)
-{
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &number, sizeof bits);
-  return bits;
-}
-
-/// Adds a column: the lowest bytes of all its numbers, then the next. @param number of a row, unsigned
-template <typename Number>
-void addColumn(std::string& bytes, std::size_t rows, const Number& number)
-{
-  for (unsigned shift = 0; shift < 8 * sizeof(number(0)); shift += 8)
-    for (std::size_t k = 0; k < rows; ++k)
-      bytes += static_cast<char>(number(k) >> shift & 0xFFU);
-}
-
+/// Adds the columns of rows: of each the lowest bytes of all its numbers, then the next.
 template <std::size_t Columns>
 void addColumns(std::string& bytes, const std::vector<std::array<std::int32_t, Columns>>& rows)
 {
   for (std::size_t column = 0; column < Columns; ++column)
-    addColumn(bytes, rows.size(), [&](std::size_t k) { return zigzag(rows[k][column]); });
+    for (unsigned shift = 0; shift < 32; shift += 8)
+      for (const std::array<std::int32_t, Columns>& row : rows)
+        bytes += static_cast<char>(zigzag(row[column]) >> shift & 0xFFU);
 }
 
 /// An angle in steps of a turn, from half a turn back on.
@@ -268,7 +254,8 @@ EncodedMotion MotionRecord::encode(const std::vector<Frame>& frames) const
   }
   const std::vector<State> states = statesOf(all, frames);
   std::string bytes;
-  addColumn(bytes, frames.size(), [&](std::size_t k) { return bitsOf(frames[k].time); });
+  for (const Frame& frame : frames)
+    bytes.append(reinterpret_cast<const char*>(&frame.time), sizeof frame.time);
   addColumns(bytes, tracks);
   addColumns(bytes, states);
   return {{{"frames", frames.size()},

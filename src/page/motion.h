@@ -28,9 +28,8 @@ namespace ratchet_sieve
 /// difference from the last, from -angle_steps / 2 on; in a track's first state they are the numbers
 /// themselves.
 ///
-/// The bytes of a column stand so that they compress well: the lowest bytes of all its numbers, then the
-/// next. Times are doubles. The others are integers of 32 bits; small ones of either sign are small (zigzag:
-/// 0, -1, 1, -2, ...).
+/// Times are doubles. A column's numbers are integers of 32 bits, the lowest bytes of all, then the next;
+/// small ones of either sign are small (zigzag: 0, -1, 1, -2, ...).
 struct EncodedMotion
 {
   nlohmann::ordered_json description;

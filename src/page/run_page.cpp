@@ -1,6 +1,7 @@
 #include "ratchet_sieve/page/run_page.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/recording/frames.h"
+#include "ratchet_sieve/recording/json.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "ratchet_sieve/scene/scene_text.h"
 #include "ratchet_sieve/scene/shown_text.h"
@@ -33,28 +35,36 @@ constexpr std::size_t AROUND_DATA = 2000;
 /// Rows of the bins that a page has at most.
 constexpr std::size_t MOST_ROWS = 4096;
 
-/// Whether the base moves on from `a` over `b` to `c` without a change of rate.
-bool isSteady(const DriveState& a, const DriveState& b, const DriveState& c)
+/// Whether the commanded quantities are the same.
+bool isSame(const DriveState& a, const DriveState& b)
 {
-  for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
-    for (double DriveState::*value : {quantity.applied, quantity.commanded})
-      if (a.*value != b.*value || b.*value != c.*value)
-        return false;
-  return true;
+  return std::all_of(COMMANDED_QUANTITIES.begin(), COMMANDED_QUANTITIES.end(),
+                     [&](const CommandedQuantity& each) {
+                       return a.*each.applied == b.*each.applied && a.*each.commanded == b.*each.commanded;
+                     });
 }
 
-/// The recorded states of the base, or those that follow from the scene if none was recorded.
+/// The recorded states of the base where it changes, or those that follow from the scene if none was
+/// recorded.
 std::vector<BaseFrame> baseFrames(const RunResult& result)
 {
-  if (result.base.empty())
+  const std::vector<BaseFrame>& all = result.base;
+  if (all.empty())
     return {{result.start, driveStateAt(result.scene.base, 0.0)},
             {result.end, driveStateAt(result.scene.base, result.end - result.start)}};
   std::vector<BaseFrame> frames;
-  for (std::size_t k = 0; k < result.base.size(); ++k)
-    if (k == 0 || k + 1 == result.base.size() ||
-        !isSteady(result.base[k - 1].base, result.base[k].base, result.base[k + 1].base))
-      frames.push_back(result.base[k]);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (k == 0 || k + 1 == all.size() || !isSame(all[k - 1].base, all[k].base) ||
+        !isSame(all[k].base, all[k + 1].base))
+      frames.push_back(all[k]);
   return frames;
+}
+
+/// Adds values of a row to the columns of their names.
+void addRow(Json& columns, const Json& row, std::initializer_list<const char*> names)
+{
+  for (const char* name : names)
+    columns[name].push_back(row.at(name));
 }
 
 Json driveSeries(const RunResult& result)
@@ -63,12 +73,9 @@ Json driveSeries(const RunResult& result)
   for (const BaseFrame& frame : baseFrames(result))
   {
     series["time"].push_back(frame.time);
-    series["phase"].push_back(frame.base.phase);
-    for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
-    {
-      series[quantity.name].push_back(frame.base.*quantity.applied);
-      series[std::string("commanded_") + quantity.name].push_back(frame.base.*quantity.commanded);
-    }
+    addRow(series, frame.base,
+           {"phase", "inclination", "frequency", "amplitude", "commanded_inclination", "commanded_frequency",
+            "commanded_amplitude"});
   }
   return series;
 }
@@ -85,17 +92,9 @@ Json binSeries(const RunResult& result)
     if (k % every != 0 && k != last)
       continue;
     const BinFrame& frame = result.bins[k];
-    series["time"].push_back(frame.time);
-    series["quality"].push_back(frame.quality);
-    series["processed"].push_back(frame.processed);
-    series["separation"].push_back(frame.separation);
+    addRow(series, frame, {"time", "quality", "processed", "separation"});
     for (std::size_t i = 0; i < frame.bins.size(); ++i)
-    {
-      Json& of_species = series["species"][i];
-      of_species["left"].push_back(frame.bins[i].left);
-      of_species["right"].push_back(frame.bins[i].right);
-      of_species["on_base"].push_back(frame.bins[i].on_base);
-    }
+      addRow(series["species"][i], frame.bins[i], {"left", "right", "on_base"});
   }
   return series;
 }
@@ -108,11 +107,7 @@ Json velocitySeries(const RunResult& result)
   {
     series["time"].push_back(frame.time);
     for (std::size_t i = 0; i < frame.species.size(); ++i)
-    {
-      const SpeciesMeans& means = frame.species[i].means;
-      series["species"][i]["mean_vx"].push_back(means.mean_vx);
-      series["species"][i]["mean_vx_stderr"].push_back(means.mean_vx_stderr);
-    }
+      addRow(series["species"][i], frame.species[i].means, {"mean_vx", "mean_vx_stderr"});
   }
   return series;
 }
@@ -149,15 +144,6 @@ std::string commandText(const CommandFrame& command, const SceneDefinition& scen
   }
 }
 
-/// Each command as its time and a text.
-Json commandsPart(const std::vector<CommandFrame>& commands, const SceneDefinition& scene)
-{
-  Json list = Json::array();
-  for (const CommandFrame& command : commands)
-    list.push_back({{"time", command.time}, {"text", commandText(command, scene)}});
-  return list;
-}
-
 /// The unit of each number and column of what was observed, by the observable's name.
 Json unitsOf(const std::vector<Observed>& all)
 {
@@ -171,11 +157,6 @@ Json unitsOf(const std::vector<Observed>& all)
         units[observed.name][column.name] = column.unit;
     }
   return units;
-}
-
-std::size_t inBase64(std::size_t bytes)
-{
-  return (bytes + 2) / 3 * 4;
 }
 
 }  // namespace
@@ -225,13 +206,15 @@ void RunPage::write(AtomicFile&& file, const std::string& title, const Json& sum
     if (summary.contains(key))
       json["results"][key] = summary.at(key);
   json["machine"] = machinePart(scene);
-  json["commands"] = commandsPart(commands_, scene);
+  json["commands"] = Json::array();
+  for (const CommandFrame& command : commands_)
+    json["commands"].push_back({{"time", command.time}, {"text", commandText(command, scene)}});
   json["commands_taken"] = commands_taken_;
 
   const std::string series = deflated(jsonForHtml(
       {{"drive", driveSeries(result)}, {"bins", binSeries(result)}, {"velocities", velocitySeries(result)}}));
   const std::size_t rest =
-      AROUND_DATA + lengthOf(RUN_TEMPLATE) + jsonForHtml(json).size() + inBase64(series.size());
+      AROUND_DATA + RUN_TEMPLATE.size() + jsonForHtml(json).size() + base64(series).size();
   const std::size_t for_motion = size_ > rest ? (size_ - rest) / 4 * 3 : 0;
   EncodedMotion motion = motion_->encoded(for_motion);
   json["motion"] = std::move(motion.description);

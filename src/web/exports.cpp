@@ -30,47 +30,24 @@ namespace
 {
 
 /// Numbers by name; a dot separates the parts of a name. NaN stands for an undefined number.
-class Readings
+struct Readings
 {
-public:
-  void clear()
-  {
-    names_.clear();
-    values_.clear();
-  }
+  std::string names;
+  std::vector<double> values;
 
   void add(const std::string& name, std::optional<double> value)
   {
-    names_ += names_.empty() ? name : ' ' + name;
-    values_.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    names += names.empty() ? name : ' ' + name;
+    values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
   }
 
   /// The fields of a described struct.
   template <typename Struct>
   void addFields(const std::string& prefix, const Struct& fields)
   {
-    Fields<Struct>::each([&](const FieldInfo& field, const auto& value)
-                         { add(prefix + field.name, numberOf(value)); },
+    Fields<Struct>::each([&](const FieldInfo& field, const auto& value) { add(prefix + field.name, value); },
                          fields);
   }
-
-  const std::string& names() const { return names_; }
-  const std::vector<double>& values() const { return values_; }
-
-private:
-  template <typename Number>
-  static std::optional<double> numberOf(const std::optional<Number>& value)
-  {
-    return value ? numberOf(*value) : std::nullopt;
-  }
-  template <typename Number>
-  static std::optional<double> numberOf(Number value)
-  {
-    return static_cast<double>(value);
-  }
-
-  std::string names_;
-  std::vector<double> values_;
 };
 
 std::string input;                     ///< a scene's definition
@@ -156,7 +133,7 @@ EXPORT(pour) void pour(std::size_t species, std::size_t count, double from, doub
 /// Reads the state into the readings and the disks.
 EXPORT(read) void readState()
 {
-  readings.clear();
+  readings = {};
   readings.add("time", simulation->time());
   readings.add("events", static_cast<double>(simulation->events()));
   readings.add("collapses", static_cast<double>(simulation->collapses().count));
@@ -191,16 +168,16 @@ EXPORT(read) void readState()
 }
 
 /// The address of a buffer, and the number of its elements.
-#define EXPORT_BUFFER(name, buffer)                                               \
-  extern "C" __attribute__((export_name(#name))) const void* name##Address()      \
-  {                                                                               \
-    return (buffer).data();                                                       \
-  }                                                                               \
-  extern "C" __attribute__((export_name(#name "_size"))) std::size_t name##Size() \
-  {                                                                               \
-    return (buffer).size();                                                       \
+#define EXPORT_BUFFER(name, buffer)            \
+  EXPORT(name) const void* name##Address()     \
+  {                                            \
+    return (buffer).data();                    \
+  }                                            \
+  EXPORT(name##_size) std::size_t name##Size() \
+  {                                            \
+    return (buffer).size();                    \
   }
 EXPORT_BUFFER(text, text)
-EXPORT_BUFFER(names, readings.names())
-EXPORT_BUFFER(values, readings.values())
+EXPORT_BUFFER(names, readings.names)
+EXPORT_BUFFER(values, readings.values)
 EXPORT_BUFFER(disks, disks)

@@ -1,4 +1,4 @@
-"""Claim 2: contacts with short over those with long slopes, over the smallest rebound speed v_min."""
+"""Claim 2: contacts with short over those with long slopes, over the rebound floor v_min."""
 import dataclasses
 import math
 
@@ -38,7 +38,7 @@ def claims(means):
                            (dataclasses.replace(check, is_searched=True),), condition(means))]
 
 
-STUDY = Study("contacts", "Short and long slopes, over the smallest rebound speed",
+STUDY = Study("contacts", "Short and long slopes, over the rebound floor",
               ("paper_fig3_contacts",),
               lambda rows: over(rows["paper_fig3_contacts"], ("short_to_long", "mean_vx.A"), V_MIN),
               (Picture("contacts", "Contacts with short over those with long slopes, of Fig. 3's disks, over v_min; "

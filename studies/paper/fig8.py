@@ -92,10 +92,10 @@ def text(numbers):
     turns = sorted(numbers["turns"].items())
     lines = [[f"{f:g} Hz", *(told(turn[part]) for part in TURNS)] for f, turn in turns
              if f in (turns[0][0], SHOWN, turns[-1][0])]
-    return ("A goes to the right and B to the left between the angle at which B reverses and that at which A does (by "
-            "a parabola through the three means nearest to it; its error is that of leaving out one seed and the "
-            f"distance to a straight line's). An interval of 95 % is {quantile(numbers['seeds'] - 1):.1f} times as "
-            "wide on either side, since there are few seeds.\n\n"
+    return ("A goes to the right and B to the left between two angles: that at which B reverses and that at which A "
+            "does. Each is the zero of a parabola through the three means nearest to it; its error is that of leaving "
+            "out one seed and the distance to the zero of a straight line. The seeds are few: an interval of 95 % is "
+            f"{quantile(numbers['seeds'] - 1):.1f} times as wide on either side.\n\n"
             + table(["f", "B reverses, θ [rad]", "A reverses, θ [rad]", "interval [rad]"], lines))
 
 

@@ -137,10 +137,9 @@ def tables(numbers):
 
 def text(numbers):
     return "\n\n".join((
-        "The paper gives neither the length of its base nor its densities. It plots P, so that not all of its disks "
-        "were out after 100 s at every θ. Here that is so on 300 teeth (out: disks that left). The best Q is that of "
-        "half of the seeds at the θ that is best for the other half, both ways, n in all; θ and P are those of all "
-        "seeds.",
+        "The paper gives neither the length of its base nor its densities. It plots P: at some θ not all of its disks "
+        "had left after 100 s. Here that is so on 300 teeth (\"out\" counts the disks that left). For the best Q one "
+        "half of the seeds chooses θ and the other half gives Q, both ways, n in all; θ and P are those of all seeds.",
         best_table(numbers), apart(numbers)))
 
 

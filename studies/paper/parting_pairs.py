@@ -102,11 +102,12 @@ def found_at_both(numbers):
 def text(numbers):
     found = "; ".join(found_at_both(numbers))
     classes = [parting.class_of(pair) for means in numbers.values() for pair in means.values()]
-    return (f"Of {len(numbers)} pairs of parameters, {len(classes) // len(parting.ANGLES)} settings at two angles "
-            f"each, A is seen to go right and B left at both angles {f'only at {found}' if found else 'nowhere'}. At "
-            f"{classes.count(parting.UNTOLD)} of {len(classes)} a way is undecided, most of them for want of power: "
-            "seven pairs ran on 10 teeth for 10 to 20 s with three seeds. Each sign is at 95 %, not corrected for the number of settings; by fresh "
-            "seeds: A2a, A2b. Three parameters at once were not tried.")
+    return (f"{len(numbers)} pairs of parameters were varied: {len(classes) // len(parting.ANGLES)} settings at two "
+            f"angles each. At both angles A is seen to go right and B left {f'only at {found}' if found else 'nowhere'}. "
+            f"At {classes.count(parting.UNTOLD)} of {len(classes)} a direction is undecided, mostly because runs were "
+            "few and short: seven pairs ran on 10 teeth for 10 to 20 s with three seeds. Each direction is at 95 %, not "
+            "corrected for the number of settings; A2a and A2b are by fresh seeds. Three parameters at once were not "
+            "varied.")
 
 
 def lines(numbers):

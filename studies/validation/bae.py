@@ -122,7 +122,7 @@ def text(numbers):
                for means in (places(fresh),) for place, mean in known.items()
                if regime(means[place], LEAST) != regime(mean, LEAST)]
     others = " and ".join(f"{floor:g}" for floor in numbers["fresh"] if floor != FLOOR)
-    return (f"The checks are at v_min = {FLOOR:g} m/s. With {others} m/s the regimes are the same, but for: "
+    return (f"The checks are at v_min = {FLOOR:g} m/s. At {others} m/s the regimes are the same, except for: "
             f"{'; '.join(changed) or 'none'}.")
 
 

@@ -117,9 +117,9 @@ def claims(number, word, fresh):
 
 def text(numbers):
     """Where the species go opposite ways in the search."""
-    found = [f"{sum(bool(verdicts.opposite(a, b)) for a, b, _ in means.values())} of {len(means)} on {ratchet.about}"
+    found = [f"{sum(bool(verdicts.opposite(a, b)) for a, b, _ in means.values())} of {len(means)} settings on {ratchet.about}"
              for ratchet, means in numbers["means"].items()]
-    return f"Of the search's settings they go opposite ways at {' and '.join(found)}."
+    return f"In the search they go opposite ways at {' and '.join(found)}."
 
 
 def picture(name, word, names, ratchet):

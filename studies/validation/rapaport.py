@@ -36,9 +36,9 @@ def claims(numbers):
 def text(numbers):
     means = numbers["means"]
     found = sum(bool(verdicts.opposite(*pair)) for pair in means.values())
-    return (f"Of the search's {len(means)} settings (e, f, d) they surely go opposite ways at {found}. The checks "
-            "are at the setting that came nearest to it. 0.05 m/s, the floor of the search, is above 0.6 √(g r) of "
-            "the small disks, which `sieve_run` warns of.")
+    return (f"In the search they surely go opposite ways at {found} of {len(means)} settings (e, f, d). The checks "
+            "are at the setting that came nearest to it. The rebound floor of the search, 0.05 m/s, is above 0.6 √(g r) "
+            "of the small disks: `sieve_run` warns of that.")
 
 
 STUDY = Study("rapaport", "Large and small disks in a layer (Rapaport 2001)",

@@ -55,7 +55,7 @@ class InSession(unittest.TestCase):
                 if lookup(NOT_RUN, command):
                     self.see_what_is_named(command)
                 else:
-                    self.session.run(command)
+                    self.session.run(shortened(command))
         elif block.language == 'yaml':
             start = lookup(SAVED, block.text)
             self.assertIsNotNone(start, f'{block.place}: plan.py does not say where it is saved')
@@ -64,10 +64,7 @@ class InSession(unittest.TestCase):
             if 'scene' in yaml.safe_load(block.text):  # a sweep; a scene is run by the commands below it
                 self.session.run(f'rosrun ratchet_sieve sieve_sweep run "{path}" --dry-run')
         elif block.language == 'python':
-            code = block.text
-            for text, shorter in SHORTENED.items():
-                code = code.replace(text, shorter)
-            (self.session.here / 'script.py').write_text(code)
+            (self.session.here / 'script.py').write_text(shortened(block.text))
             self.session.run('/usr/bin/python3 script.py')
         else:
             self.assertEqual(block.language, 'text', block.place)
@@ -144,7 +141,7 @@ class Documents(InSession):
         for command in (command for block in found if block.language == 'sh' for command in commands(block)):
             used |= {lookup(table, command) for table in (NOT_RUN, GOES_ON, BEFORE)}
         self.assertEqual(used - {None}, {*NOT_RUN, *GOES_ON, *BEFORE, *SAVED})
-        code = ''.join(block.text for block in found if block.language == 'python')
+        code = ''.join(block.text for block in found)
         self.assertEqual([text for text in SHORTENED if text not in code], [])
 
     def spans(self):
@@ -208,6 +205,12 @@ class Documents(InSession):
                         'devel/lib/ratchet_sieve/sieve_run config/paper_fig8.yaml --duration 0 --set settle=0 '
                         f"--set '{key}={value}'")
                     self.assertNotIn('unknown key', answer)
+
+
+def shortened(text):
+    for long, short in SHORTENED.items():
+        text = text.replace(long, short)
+    return text
 
 
 def assignments(span):

@@ -1,5 +1,7 @@
 #!/usr/bin/python3
-"""Sees that the README is short, and that every relative link of a page leads somewhere. Usage: pages_test.py [TEST...]"""
+"""Sees that the README is short, that the version is cited, and that every relative link of a page leads somewhere.
+
+Usage: pages_test.py [TEST...]"""
 
 import re
 import unittest
@@ -32,6 +34,11 @@ class Pages(unittest.TestCase):
         for line in lines:
             if not line.startswith(('|', '![')):  # tables and pictures cannot be wrapped
                 self.assertLessEqual(len(line), MOST_COLUMNS, line)
+
+    def test_the_version_is_cited(self):
+        version = re.search('<version>(.+)</version>', (PACKAGE / 'package.xml').read_text()).group(1)
+        for name, line in ('CITATION.cff', f'\nversion: {version}\n'), ('README.md', f'version = {{{version}}}'):
+            self.assertIn(line, (PACKAGE / name).read_text(), name)
 
     def test_links_lead_somewhere(self):
         for document in DOCUMENTS:

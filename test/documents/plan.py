@@ -66,10 +66,15 @@ SAVED = {
     'base: {teeth: 30, tooth_height: 0.014': 'stage.yaml',
 }
 
-# What is shortened in code: texts of it, and what is run in their place. Searches end by their budget; a calibration
-# is of short runs, with which its counts do not agree.
+# What is shortened in code and commands: texts of it, and what is run in their place. Searches end where they know their
+# best roughly; a calibration is of short runs, with which its counts do not agree.
 SHORTENED = {
-    'seed=1))': 'seed=1, budget="30 s"))',
+    '(15, 48)}))': '(40, 48)}, within=0.2))',
+    '(15, 48)}, seed=1))': '(26, 48)}, within=0.05, seed=1))',
+    'within=0.02)': 'within=0.05)',
+    '{"base.inclination": (0.0, 0.35)})\n': '{"base.inclination": (0.0, 0.35)}, within=0.05)\n',
+    '--over base.frequency=15:48 --html': '--over base.frequency=15:48 --within 0.05 --html',
+    '--budget "20 s"': '--within 0.05',
     '"duration": 120,': '"duration": 6,',
-    '(5.0, 40.0)}, trials=24': '(25.0, 40.0)}, trials=6',
+    '(5.0, 40.0)}, trials=24': '(25.0, 40.0)}, trials=3',
 }

@@ -66,10 +66,17 @@ def test_a_surface_is_a_gaussian_process():
 def test_more_runs_make_a_surface_surer_and_leave_it_where_it_is():
     surface, places = Surface(1), np.linspace(0.0, 1.0, 6)[:, None]
     surface.fit(places, 0.1 * places[:, 0], np.full(6, 1e-3))
-    there = np.array([[0.5]])
-    more = surface.with_more(there, [1e-3])
-    assert more.at(there)[0] == pytest.approx(surface.at(there)[0], abs=1e-9)
-    assert more.at(there)[1] < surface.at(there)[1]
+    there = np.linspace(0.0, 1.0, 5)[:, None]
+    value, before, half = surface.at(there)
+    variances, half = surface.after(there, before, half, 2, 1e-3)
+    more = Surface(1)
+    more.__dict__.update(surface.__dict__, _places=np.vstack([places, there[2:3]]), _values=np.append(surface._values, value[2]),
+                         _variances=np.append(surface._variances, 1e-3))
+    more._condition()
+    expected = more.at(there)
+    assert variances == pytest.approx(expected[1], rel=1e-6) and (variances < before).all()
+    assert surface.covariance_with(there, half, 0) == pytest.approx(more.covariance_with(there, expected[2], 0), abs=1e-9)
+    assert expected[0] == pytest.approx(value, abs=1e-9)
 
 
 @pytest.mark.parametrize("over, changes, line", (
@@ -450,7 +457,7 @@ def test_one_interrupt_leaves_time_for_fresh_seeds(monkeypatch):
 
 
 def test_a_machine_that_fills_up_is_no_answer(tmp_path):
-    found = rs.separate(SCENE, {"feed.rate": (30.0, 3000.0)}, within=0.2)
+    found = rs.separate(SCENE, {"feed.rate": (30.0, 600.0)}, within=0.2)
     filled = found.map[found.map.why != ""]
     assert len(filled) and filled.value.isna().all() and filled["feed.rate"].min() > found.as_good["feed.rate"].max()
     assert set(filled.why) <= {"choked", "still filling", "not settled", "too short"}

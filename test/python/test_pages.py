@@ -16,17 +16,19 @@ def fixture_engine(tmp_path, monkeypatch):
     return tmp_path / "engine.wasm"
 
 
+def offered_by(page, path):
+    page.write(path)
+    return json.loads(re.search(r'id="data">(.*?)</script>', path.read_text()).group(1))["scenes"]
+
+
 def test_a_live_page_has_the_definitions_of_its_scenes(scene, engine, tmp_path):
     engine.write_bytes(b"\0asm")
     single = {"species": [{"name": "A", "count": 1, "radius": 0.001, "mass": 0.01}]}
     page = rs.live(scene, scene.replace(seed=3), single)
-    page.write(tmp_path / "live.html")
-    text = (tmp_path / "live.html").read_text()
-    data = json.loads(re.search(r'id="data">(.*?)</script>', text).group(1))
-    offered = [(each["name"], each["seed"]) for each in data["scenes"]]
-    assert offered == [("scene", 7), ("scene (2)", 3), ("scene (3)", 1)]
-    assert rs.Scene(data["scenes"][1]["yaml"]) == scene.replace(seed=3)
-    assert len({each["definition"] for each in data["scenes"]}) == 3
+    offered = offered_by(page, tmp_path / "live.html")
+    assert [(each["name"], each["seed"]) for each in offered] == [("scene", 7), ("scene (2)", 3), ("scene (3)", 1)]
+    assert rs.Scene(offered[1]["yaml"]) == scene.replace(seed=3)
+    assert len({each["definition"] for each in offered}) == 3
     assert repr(page) == "<LivePage of scene, scene (2), scene (3)>"
     assert 'sandbox="allow-scripts"' in page._repr_html_()
 
@@ -34,11 +36,8 @@ def test_a_live_page_has_the_definitions_of_its_scenes(scene, engine, tmp_path):
 def test_scenes_have_the_titles_of_their_files(scene, engine, tmp_path):
     engine.write_bytes(b"\0asm")
     (tmp_path / "titled.yaml").write_text(f"# Two kinds: one sees them part.\n{scene.yaml}")
-    rs.live(tmp_path / "titled.yaml", scene).write(tmp_path / "live.html")
-    text = (tmp_path / "live.html").read_text()
-    data = json.loads(re.search(r'id="data">(.*?)</script>', text).group(1))
-    assert [(each["title"], each["sentence"]) for each in data["scenes"]] == [
-        ("Two kinds", "One sees them part."), ("scene", "")]
+    offered = offered_by(rs.live(tmp_path / "titled.yaml", scene), tmp_path / "live.html")
+    assert [(each["title"], each["sentence"]) for each in offered] == [("Two kinds", "One sees them part."), ("scene", "")]
     for name in pages.OFFERED:
         title, sentence = pages.heading(rs.Scene.load(pages.SHARE / f"config/{name}.yaml"), "")
         assert 4 < len(title) < 40 and sentence.endswith("."), name

@@ -17,7 +17,6 @@ import long_run
 
 LARGEST_OVERLAP = 1e-9  # of the smallest radius
 TIMEOUT = 1500.0        # timeout, wall time [s]
-DAY = 86400.0           # [s]
 
 EXIT_STATUS = {extremes.RUNS: 0, extremes.GOES_ON: 0, extremes.STOPS: 1, extremes.REFUSED: 2}
 
@@ -110,15 +109,6 @@ def measure_all(program, short, jobs):
     return rows, failed
 
 
-def measure_day(program, what):
-    """One extreme for a day of simulated time. @return the number of failures"""
-    extreme, = (extreme for extreme in extremes.extremes() if extreme.what == what)
-    summary, said, wrong = measure(program, extreme, DAY, None)
-    print(", ".join(row(extreme, summary, said)), f"{summary['wall_time']:.0f} s of wall time",
-          *(f"  WRONG: {w}" for w in wrong), sep="\n", flush=True)
-    return len(wrong)
-
-
 def replace_between(path, begin, end, text):
     document = path.read_text()
     before, rest = document.split(begin, 1)
@@ -129,13 +119,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", help="sieve_run")
     parser.add_argument("--short", action="store_true", help="a twentieth of the time")
-    parser.add_argument("--day", metavar="WHAT", help="this extreme alone, for a day of simulated time")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)), help="runs side by side")
     parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
                         help="put the long run's table into this document, the others into data/extremes.csv beside it")
     arguments = parser.parse_args()
-    if arguments.day:
-        sys.exit(1 if measure_day(arguments.program, arguments.day) else 0)
     rows, failed = measure_all(arguments.program, arguments.short, arguments.jobs)
     long_rows, long_failed = long_run.measure(arguments.program, 1e4 if arguments.short else 1e6)
     if arguments.write:

@@ -56,7 +56,7 @@ class Documents(unittest.TestCase):
             figures = json.loads((path.parent / "data/paper.json").read_text(encoding="utf-8"))
             table = (path.parent / "data/paper_made.csv").read_text(encoding="utf-8")
         self.assertIn("| 1 | Fig. 0 | it goes right | **undecided** |", text)
-        self.assertIn("- Claim 1 **undecided**:\n  - ⟨V_x⟩ > 0: 0.60 ± 0.10 (n = 2): undecided", text)
+        self.assertIn("- Claim 1 **undecided**: ⟨V_x⟩ > 0: 0.60 ± 0.10 (n = 2)\n", text)
         self.assertIn("![A caption](images/paper_made.png)", text)
         self.assertIn("*A caption; n = 2 runs a point.*", text)
         self.assertEqual((figures["made.drift"], figures["claim.1.verdict"]), ("0.60 ± 0.10", "undecided"))

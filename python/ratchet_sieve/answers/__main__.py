@@ -54,7 +54,7 @@ def make_parser():
     return parser
 
 
-def read_over(texts, option="--over"):
+def read_over(texts, option="--over", form="KEY=FROM:TO, such as base.inclination=0:0.35"):
     """@return map from keys to (from, to). Raises ValueError."""
     over = {}
     for text in texts:
@@ -67,19 +67,21 @@ def read_over(texts, option="--over"):
         except ValueError:
             ends = []
         if not equals or not key or len(ends) != 2:
-            raise ValueError(f"{option} {text}: must be KEY=FROM:TO, such as base.inclination=0:0.35")
+            raise ValueError(f"{option} {text}: must be {form}")
     return over
 
 
 def read_unknown(texts):
     """@return as separate() takes it; None: all is known. Raises ValueError."""
-    normal = {text: re.fullmatch(r"([^=]+)=([^±:]+)(?:±|\+-)([^±:]+)", text) for text in texts}
-    try:
-        found = {match[1]: (float(match[2]), "±", float(match[3])) for match in normal.values() if match}
-    except ValueError as error:
-        raise ValueError(f"--unknown: must be KEY=VALUE±ERROR: {error}") from None
-    ranges = read_over([text for text, match in normal.items() if not match], "--unknown")
-    return {**found, **ranges} or None
+    form, found = "KEY=LOW:HIGH, or KEY=VALUE±ERROR", {}
+    for text in texts:
+        normal = re.fullmatch(r"([^=]+)=([\d.e+-]+)(?:±|\+-)([\d.e+-]+)", text)
+        each = {normal[1]: (float(normal[2]), "±", float(normal[3]))} if normal else \
+            read_over([text], "--unknown", form)
+        if set(each) & set(found):
+            raise ValueError(f"--unknown {text}: the key is there twice")
+        found.update(each)
+    return found or None
 
 
 def require_outputs(options):

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import time
 import warnings
-from typing import Any, Mapping
+from typing import Any, Iterable, Mapping
 
 import numpy as np
 import pandas
@@ -25,7 +25,7 @@ from ratchet_sieve.progress import Progress
 from ratchet_sieve.scene import AnyScene, scene_of
 from ratchet_sieve.values import Values
 
-FIRST = 24         # places for each unknown key that are run first
+FIRST = 10         # places for each unknown key that are run first (Loeppky et al., Technometrics 51, 366 (2009))
 MORE = 32          # places that are run where the weights are, each time
 MOST_ROUNDS = 8    # of these
 REFUSED_AFTER = 3  # of them, where nothing agrees
@@ -52,27 +52,27 @@ def calibrate(scene: AnyScene, unknown: Mapping[str, Any], measured: Any, *, ove
     results   file that keeps the runs (SQLite): the same call continues. None: kept nowhere
     Raises SceneError, ValueError before anything runs, OSError, BagError; RuntimeError where the runs say nothing.
     """
-    more = settings_of(over) if over else []
-    search = Calibration(scene_of(scene), unknown, measured, seed, threads=integer("threads", threads),
-                         results=results)
+    scene = scene_of(scene)
+    search = Calibration(scene, unknown, measured, seed, threads=integer("threads", threads), results=results)
+    more = settings_of(scene, over, unknown) if over else []
     clocks = time.monotonic(), time.process_time()
     with Progress(progress, "calibrate") as bar:
-        for line in search.data.lines():
-            bar.say(line)
-        search.run(spread(len(search.keys), FIRST * len(search.keys), seed))
+        bar.say(str(search.data))
+        search.run(spread(len(search.keys), FIRST * len(search.keys), seed), range(len(search.data.settings)))
         for k in range(MOST_ROUNDS + 1):
             search.fit()
-            bar.show(0.2 + 0.8 * k / MOST_ROUNDS, f"{len(search.rows)} runs, the surfaces add {search.added:.2g} of "
-                                                  "the errors")
-            if search.added <= SURE or k == MOST_ROUNDS or k >= REFUSED_AFTER and not search.agrees:
+            bar.show(0.2 + 0.8 * k / MOST_ROUNDS, f"{search.runs} runs, the surfaces add {search.added.max():.2g} of the "
+                                                  "errors")
+            unsure = {number.row for number, added in zip(search.data.numbers, search.added) if added > SURE}
+            if not unsure or k == MOST_ROUNDS or k >= REFUSED_AFTER and not search.agrees:
                 break
-            search.run(search.near(k))
+            search.run(search.near(k), sorted(unsure))
         return search.answer(more, clocks)
 
 
 class Calibration:
-    """@ivar rows of the runs so far @ivar added by the surfaces to the measurements' errors, where the weights are
-    @ivar parts of chi squared, of each number at the best place"""
+    """@ivar runs so far @ivar simulated [s] @ivar added of each number by its surface to the error of the measurement,
+    where the weights are @ivar parts of chi squared, of each number at the best place"""
 
     def __init__(self, scene: Any, unknown: Any, measured: Any, seed: int, **options: Any):
         """@param options of sweep()"""
@@ -82,25 +82,29 @@ class Calibration:
         stop = {"feed.on_choke": "stop"} if scene["feed.rate"] > 0.0 else {}
         observed = {*scene.values.get("observe", ()), *self.data.observed}
         self._running = scene.replace({**stop, "observe": sorted(observed)})
-        self._places = np.empty((0, len(self.keys)))
-        self.rows = pandas.DataFrame()
+        self.runs, self.simulated = 0, 0.0
+        self._places = [np.empty((0, len(self.keys)))] * len(self.data.settings)
+        self._rows = [pandas.DataFrame()] * len(self.data.settings)
         self._surfaces: list = [None] * len(self.data.numbers)
 
-    def run(self, places: np.ndarray) -> None:
-        """Each at all settings."""
-        rows = self.rows_of(places, self.data.settings)
-        self._places = np.vstack([self._places, places])
-        self.rows = pandas.concat([self.rows, rows], ignore_index=True)
+    def run(self, places: np.ndarray, measured: Iterable[int]) -> None:
+        """@param measured rows, at whose settings all places are run"""
+        found = self.rows_of(places, [self.data.settings[row] for row in measured])
+        for row, rows in zip(measured, found):
+            self._places[row] = np.vstack([self._places[row], places])
+            self._rows[row] = pandas.concat([self._rows[row], rows], ignore_index=True)
 
-    def rows_of(self, places: np.ndarray, settings: list) -> pandas.DataFrame:
-        """@return a row for each place and setting, the settings of a place together; with seeds of their own"""
+    def rows_of(self, places: np.ndarray, settings: list) -> list[pandas.DataFrame]:
+        """@return of each setting a row for each place; all with seeds of their own"""
         cases = [{**setting, **self.prior.settings(values)}
-                 for values in self.prior.values(places) for setting in settings]
-        for k, case in enumerate(cases, len(self.rows)):
+                 for setting in settings for values in self.prior.values(places)]
+        for k, case in enumerate(cases, self.runs):
             case["seed"] = self.seed + k
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", SieveWarning)
-            return sweeps.sweep(self._running, cases=cases, progress=False, **self._options)
+            rows = sweeps.sweep(self._running, cases=cases, progress=False, **self._options)
+        self.runs, self.simulated = self.runs + len(rows), self.simulated + float(rows["simulated_time"].sum())
+        return [rows.iloc[k * len(places):(k + 1) * len(places)] for k in range(len(settings))]
 
     @staticmethod
     def values_of(number: Number, rows: pandas.DataFrame) -> tuple[np.ndarray, np.ndarray]:
@@ -112,22 +116,22 @@ class Calibration:
     def fit(self) -> None:
         """The surfaces, and draws from what agrees with the measurements."""
         for j, number in enumerate(self.data.numbers):
-            values, variances = self.values_of(number, self.rows.iloc[number.row::len(self.data.settings)])
+            values, variances = self.values_of(number, self._rows[number.row])
             defined = np.isfinite(values) & np.isfinite(variances)
             if defined.sum() < len(self.keys) + 2:
-                raise RuntimeError(f"measured, row {number.row + 1}: too few runs tell {number.text()}")
+                raise RuntimeError(f"measured, row {number.row + 1}: too few runs tell {number}")
             if not number.is_share:
                 variances = np.full(len(values), values[defined].var())
             self._surfaces[j] = self._surfaces[j] or Surface(len(self.keys), 10.0 * values[defined].std() or 1.0,
                                                              error_spread=WIDE_ERRORS)
-            self._surfaces[j].fit(self._places[defined], values[defined], variances[defined])
+            self._surfaces[j].fit(self._places[number.row][defined], values[defined], variances[defined])
         self._errors = np.array([self._error(j) for j in range(len(self._surfaces))])
         self.draws, self.best = drawn(self.log_likelihood, len(self.keys), DRAWS, self.seed)
         self._computed, self._variances = self.computed(self.draws)
         value, variance = self.computed(self.best[None])
         measured = np.array([number.value for number in self.data.numbers])
         self.parts = (measured - value[:, 0]) ** 2 / (self._errors + variance[:, 0])
-        self.added = float(np.sqrt((self._variances.mean(axis=1) / self._errors).max()))
+        self.added = np.sqrt(self._variances.mean(axis=1) / self._errors)
 
     @property
     def agrees(self) -> bool:
@@ -137,10 +141,9 @@ class Calibration:
     def _error(self, j: int) -> float:
         """The variance of a measured number: its own, or that of a run with as many grains."""
         number = self.data.numbers[j]
-        if number.variance is not None and not number.is_share:
-            return number.variance
-        stated = number.variance if number.is_share else self._surfaces[j].stated
-        return stated * self._surfaces[j].excess
+        if number.variance is None or number.is_share:
+            return (number.variance or self._surfaces[j].stated) * self._surfaces[j].excess
+        return number.variance
 
     def computed(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """@return what the surfaces say of all numbers, and their variances, both (numbers, n)"""
@@ -163,14 +166,13 @@ class Calibration:
         """@param over settings, of which the next measurement is proposed"""
         numbers = self.data.numbers
         table = pandas.DataFrame({
-            "row": [number.row + 1 for number in numbers], "number": [number.text() for number in numbers],
+            "row": [number.row + 1 for number in numbers], "number": [str(number) for number in numbers],
             "measured": [number.value for number in numbers], "error": np.sqrt(self._errors),
             "computed": self._computed.mean(axis=1), "computed_error": np.sqrt(self._variances.mean(axis=1)),
             "chi_squared": self.parts})
         following = proposed(self, over) if over and self.agrees else None
-        cost = Values(runs=len(self.rows), simulated=float(self.rows["simulated_time"].sum()),
+        cost = Values(runs=self.runs, simulated=self.simulated,
                       processor=time.process_time() - clocks[1], seconds=time.monotonic() - clocks[0])
-        return Grains(base=self.scene, prior=self.prior, keys=self.keys, draws=self.prior.values(self.draws),
+        return Grains(base=self.scene, prior=self.prior, draws=self.prior.values(self.draws),
                       best=self.prior.values(self.best[None])[0], settings=self.data.settings, table=table,
-                      chi_squared=float(self.parts.sum()), added=self.added, cost=cost, agrees=self.agrees,
-                      next_measurement=following)
+                      agrees=self.agrees, added=float(self.added.max()), cost=cost, next_measurement=following)

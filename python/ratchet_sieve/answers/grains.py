@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import dataclasses
-import functools
 import itertools
 from typing import Any, Optional
 
@@ -39,30 +38,34 @@ class Grains:
 
     base: Any
     prior: Unknown
-    keys: list
     draws: np.ndarray
     best: np.ndarray
     settings: list
     table: pandas.DataFrame
-    chi_squared: float
     agrees: bool
     added: float
     cost: Values
     next_measurement: Optional[Values] = None
+
+    @property
+    def keys(self) -> list[str]:
+        return self.prior.keys
+
+    @property
+    def chi_squared(self) -> float:
+        return float(self.table.chi_squared.sum())
 
     def __getitem__(self, key: str) -> Interval:
         """Raises KeyError."""
         if key not in self.keys:
             raise KeyError(key)
         k = self.keys.index(key)
-        if not self.agrees:
-            return Interval(float(self.best[k]), None, 0)
-        return _interval(self.draws[:, k])
+        return _interval(self.draws[:, k]) if self.agrees else Interval(float(self.best[k]), None, 0)
 
-    @functools.cached_property
+    @property
     def scene(self) -> Any:
         """With the mean of each key; where nothing agrees with the best one."""
-        return self.base.replace(self.unknown.middle if self.agrees else self.prior.settings(self.best))
+        return self.base.replace(self.prior.settings(self.draws.mean(axis=0) if self.agrees else self.best))
 
     @property
     def unknown(self) -> Unknown:
@@ -78,9 +81,8 @@ class Grains:
     def __str__(self) -> str:
         lines = []
         for k, key in enumerate(self.keys if self.agrees else ()):
-            before = _interval(self.prior.table[:, k])
-            lines.append(f"{key} {self[key]} (95 %)" + (
-                ", hardly more than was known before" if self[key].half_width > LITTLE * before.half_width else ""))
+            little = self[key].half_width > LITTLE * _interval(self.prior.table[:, k]).half_width
+            lines.append(f"{key} {self[key]} (95 %)" + (", hardly more than was known before" if little else ""))
         lines += self._together() if self.agrees else []
         lines.append(self._agreement())
         if self.next_measurement:
@@ -102,28 +104,21 @@ class Grains:
     def _together(self) -> list[str]:
         """Of pairs that are known together only, what is known of both."""
         found = []
-        for (i, first), (j, second) in itertools.combinations(enumerate(self.keys), 2):
+        for i, j in itertools.combinations(range(len(self.keys)), 2):
             x, y = self.draws[:, i], self.draws[:, j]
-            correlation = np.corrcoef(x, y)[0, 1]
-            if abs(correlation) > TOGETHER:
-                slope = np.copysign(x.std() / y.std(), correlation)
-                sign = "−" if slope > 0.0 else "+"
-                found.append(f"{first} and {second} cannot be told apart by these measurements: of both only {first} "
-                             f"{sign} {abs(slope):.2g} {second} = {_interval(x - slope * y)}")
+            slope = -np.corrcoef(x, y)[0, 1]
+            if abs(slope) > TOGETHER:
+                slope = np.copysign(x.std() / y.std(), slope)
+                found.append(f"{self.keys[i]} and {self.keys[j]} cannot be told apart by these measurements: of both "
+                             f"only {self.keys[i]} {'+' if slope > 0.0 else '−'} {abs(slope):.2g} {self.keys[j]} = "
+                             f"{_interval(x + slope * y)}")
         return found
 
     def plot(self) -> Any:
-        """Draws pairs of keys, and measured beside computed. Returns matplotlib's figure."""
+        """Draws pairs of keys, and measured beside computed. Returns matplotlib's axes of these."""
         from ratchet_sieve.plots.grains import draw
 
         return draw(self)
-
-    def as_json(self) -> dict:
-        """As JSON takes it; what is undefined is None."""
-        return {"grains": {key: dataclasses.asdict(self[key]) for key in self.keys}, "agrees": self.agrees,
-                "chi_squared": self.chi_squared, "numbers": len(self.table), "cost": self.cost,
-                "correlations": self.correlations.to_dict() if self.agrees else None,
-                "next_measurement": self.next_measurement, "measured": self.table.to_dict("records")}
 
 
 def _interval(values: np.ndarray) -> Interval:

@@ -4,7 +4,8 @@ from __future__ import annotations
 import dataclasses
 import math
 import os
-from typing import Any
+import re
+from typing import Any, Optional
 
 import numpy as np
 import pandas
@@ -12,49 +13,43 @@ import pandas
 from ratchet_sieve.arguments import number
 from ratchet_sieve.bags import read_bins
 from ratchet_sieve.errors import SceneError
-from ratchet_sieve.tables import Refusal, column_of, read_csv, seed_of
 from ratchet_sieve.values import unit_of
 
-PLACES = ("left", "right", "on_base")
-STDERR = ".stderr"          # ending of a column with the standard error of another one
+PLACES = {"left": "the share of {} that left to the left", "right": "", "on_base": "the share of {} still on the deck"}
+STDERR = ".stderr"  # ending of a column with the standard error of another one
 OBSERVED = ("height_profile", "mass_flow", "residence_times")
-VELOCITY, VELOCITY_STDERR = "mean_vx.", "mean_vx_stderr."  # of which both are columns of results
 EXAMPLE = '[{"base.inclination": 0.1, "left.A": 310, "right.A": 480, "on_base.A": 12}]'
 
 
 @dataclasses.dataclass(frozen=True)
 class Number:
-    """One number that was measured at a setting.
+    """One number that was measured.
 
-    row, name  of the setting; what it is: share.left.A or share.on_base.A, or a column of results
-    value      as measured
-    variance   of its own; of a share that of independent grains, else None: as that of one run
-    grains     that were counted
+    row       of its setting
+    name      a column of results; or left.A and on_base.A, the shares of A that left to the left and are on the deck
+    value     as measured
+    variance  of a share that of independent grains, else its own; None: as that of one run
     """
 
     row: int
     name: str
     value: float
-    variance: Any
-    grains: float = 0.0
+    variance: Optional[float]
 
     @property
     def is_share(self) -> bool:
-        return self.name.startswith("share.")
+        return _is_count(self.name)
 
-    def text(self) -> str:
-        if not self.is_share:
-            return self.name
-        _, place, species = self.name.split(".", 2)
-        return f"the share of {species} that left to the left" if place == "left" else \
-            f"the share of {species} still on the deck"
+    def __str__(self) -> str:
+        place, _, species = self.name.partition(".")
+        return PLACES[place].format(species) if self.is_share else self.name
 
     def of(self, rows: pandas.DataFrame) -> tuple[np.ndarray, np.ndarray]:
         """What runs say of it. @return values, NaN where undefined, and variances, of shares alone, else 1"""
         if not self.is_share:
             values = rows[self.name] if self.name in rows else np.full(len(rows), np.nan)
             return np.asarray(values, dtype=float), np.ones(len(rows))
-        _, place, species = self.name.split(".", 2)
+        place, _, species = self.name.partition(".")
         left, right, count = (rows[f"{name}.{species}"].to_numpy(float) for name in ("left", "right", "count"))
         return _share(left, left + right) if place == "left" else _share(count - left - right, count)
 
@@ -66,30 +61,28 @@ class Measured:
         """@param measured path of a CSV file or of a bag, a list of bags or of mappings, or a DataFrame
         @param unknown keys that no row may set. Raises ValueError, SceneError, OSError, BagError."""
         self.settings, self.numbers = [], []
-        rows = _rows(measured, unknown)
-        if not rows:
-            raise ValueError(f"measured: must have a row or more, such as {EXAMPLE}")
-        for k, row in enumerate(rows):
+        for k, row in enumerate(_rows(measured, unknown)):
             name = f"measured, row {k + 1}"
-            keys = {key: value for key, value in row.items() if not _is_result(key)}
-            for key in keys:
-                if key in unknown:
-                    raise ValueError(f"{name}: {key} is set, but it is unknown")
-            _require(scene, name, keys)
-            self.settings.append(keys)
-            self.numbers += _numbers(k, name, {key: row[key] for key in row if key not in keys}, scene.species)
+            self.settings.append({key: value for key, value in row.items() if not _is_result(key)})
+            for key in self.settings[k]:
+                if key in (*unknown, "seed"):
+                    raise ValueError(f"{name}: {key}: must not be set: it is unknown")
+            try:
+                scene.replace(self.settings[k])
+            except SceneError as error:
+                raise ValueError(f"{name}: neither a number of results nor a setting: {error}") from None
+            cells = {key: value for key, value in row.items() if _is_result(key)}
+            self.numbers += _numbers(k, name, cells, scene.species)
 
     @property
-    def observed(self) -> list[str]:
+    def observed(self) -> set[str]:
         """What a scene must observe that the runs have these numbers."""
-        return sorted({each.name.partition(".")[0] for each in self.numbers} & set(OBSERVED))
+        return {each.name.partition(".")[0] for each in self.numbers} & set(OBSERVED)
 
-    def lines(self) -> list[str]:
+    def __str__(self) -> str:
         """What was understood."""
-        names = dict.fromkeys(each.text() for each in self.numbers)
-        grains = sum(each.grains for each in self.numbers if each.name.startswith("share.left"))
-        return [f"measured at {len(self.settings)} settings, {len(self.numbers)} numbers"
-                + (f" of {grains:.0f} grains" if grains else "") + f": {'; '.join(names)}"]
+        names = dict.fromkeys(map(str, self.numbers))
+        return f"measured at {len(self.settings)} settings, {len(self.numbers)} numbers: {'; '.join(names)}"
 
 
 def _share(part: Any, whole: Any) -> tuple[Any, Any]:
@@ -99,47 +92,35 @@ def _share(part: Any, whole: Any) -> tuple[Any, Any]:
         return part / whole, smoothed * (1.0 - smoothed) / whole
 
 
-def _is_error(key: str) -> bool:
-    return key.endswith(STDERR) or key.startswith(VELOCITY_STDERR)
+def _is_count(key: str) -> bool:
+    return key.partition(".")[0] in PLACES
 
 
 def _is_result(key: str) -> bool:
-    return key.split(".")[0] in PLACES or _is_error(key) or key != "seed" and unit_of(key) is not None
-
-
-def _require(scene: Any, name: str, keys: dict) -> None:
-    """Raises ValueError for keys that are none of the scene, or have values that it does not take."""
-    if "seed" in keys:
-        raise ValueError(f"{name}: seed: a measurement has none")
-    try:
-        scene.replace(keys)
-    except SceneError as error:
-        raise ValueError(f"{name}: neither a number of results nor a setting: {error}") from None
+    return _is_count(key) or key.endswith(STDERR) or key != "seed" and unit_of(key) is not None
 
 
 def _numbers(row: int, name: str, cells: dict, species: list[str]) -> list[Number]:
     """@param cells of results. Raises ValueError."""
     for key, value in cells.items():
-        is_count = key.split(".")[0] in PLACES
-        number(f"{name}: {key}", value, 0.0 if is_count or _is_error(key) else -math.inf)
-        if is_count and key.partition(".")[2] not in species:
+        if _is_count(key) and key.partition(".")[2] not in species:
             raise ValueError(f"{name}: {key}: there is no such species; there are {', '.join(species)}")
+        number(f"{name}: {key}", value, 0.0 if _is_count(key) or key.endswith(STDERR) else -math.inf)
     found = []
     for kind in species:
         left, right, deck = (cells.get(f"{place}.{kind}") for place in PLACES)
-        if left is None and right is None and deck is None:
+        if left is right is deck is None:
             continue
         if left is None or right is None:
             raise ValueError(f"{name}: left.{kind} and right.{kind} must be given, both")
-        parts = [("left", left, left + right)] + ([] if deck is None else [("on_base", deck, left + right + deck)])
-        for place, part, whole in parts:
+        for place, part, whole in (("left", left, left + right), ("on_base", deck, left + right + (deck or 0))):
             if whole == 0:
                 raise ValueError(f"{name}: no {kind} was counted")
-            found.append(Number(row, f"share.{place}.{kind}", *map(float, _share(part, whole)), whole))
+            if part is not None:
+                found.append(Number(row, f"{place}.{kind}", *map(float, _share(part, whole))))
     for key, value in cells.items():
-        if key.split(".")[0] not in PLACES and not _is_error(key):
-            error = cells.get(key + STDERR, cells.get(key.replace(VELOCITY, VELOCITY_STDERR, 1), None)
-                              if key.startswith(VELOCITY) else None)
+        if not _is_count(key) and not key.endswith(STDERR):
+            error = cells.get(key + STDERR)
             found.append(Number(row, key, float(value), None if error is None else error ** 2))
     if not found:
         raise ValueError(f"{name}: nothing was measured: give counts, such as left.{species[0]}, right.{species[0]}")
@@ -147,26 +128,25 @@ def _numbers(row: int, name: str, cells: dict, species: list[str]) -> list[Numbe
 
 
 def _rows(measured: Any, unknown: list[str]) -> list[dict]:
-    """Of a bag without what is unknown: its base has what was commanded."""
+    """Of a bag without what is unknown: its base has what was commanded. Raises ValueError, OSError, BagError."""
     if isinstance(measured, (str, os.PathLike)):
-        measured = [measured] if os.fspath(measured).endswith(".bag") else _table(os.fspath(measured))
+        measured = [measured] if os.fspath(measured).endswith(".bag") else _table(measured)
     if isinstance(measured, pandas.DataFrame):
-        measured = measured.to_dict("records")
-    if not isinstance(measured, (list, tuple)):
+        measured = measured.astype(object).to_dict("records")
+    if not isinstance(measured, (list, tuple)) or not len(measured):
         raise ValueError(f"measured = {measured!r}: must be the path of a CSV file or a bag, or rows such as {EXAMPLE}")
     rows = [{key: value for key, value in read_bins(os.fspath(row)).items() if key not in unknown}
             if isinstance(row, (str, os.PathLike)) else row for row in measured]
     for k, row in enumerate(rows):
         if not isinstance(row, dict):
             raise ValueError(f"measured[{k}] = {row!r}: must be a mapping, such as {EXAMPLE[1:-1]}")
-    return [{key: value for key, value in row.items() if value is not None and value == value} for row in rows]
+    return [{re.sub("^mean_vx_stderr(.*)", rf"mean_vx\1{STDERR}", key): value for key, value in row.items()
+             if value is not None and value == value} for row in rows]
 
 
-def _table(path: str) -> pandas.DataFrame:
+def _table(path: Any) -> pandas.DataFrame:
     """Raises ValueError, OSError."""
     try:
-        texts = read_csv(path)
-        return pandas.DataFrame({name: column_of(texts, name, path).map(seed_of) for name in texts}, dtype=object)
-    except Refusal as error:
-        raise ValueError(str(error)) from None
-
+        return pandas.read_csv(path, skipinitialspace=True, index_col=False, encoding="utf-8-sig")
+    except ValueError as error:
+        raise ValueError(f"measured = {os.fspath(path)!r}: no table: {' '.join(str(error).split())}") from None

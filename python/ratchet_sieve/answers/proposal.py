@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import itertools
-from typing import Any, Mapping
+from typing import Any, Iterable, Mapping
 
 import numpy as np
 
@@ -16,11 +16,16 @@ FEWEST = 2             # of more
 RUNS = 24              # at each setting, with coefficients as likely as those of the answer
 
 
-def settings_of(over: Mapping[str, Any]) -> list[dict]:
-    """A grid over ranges. Raises ValueError."""
+def settings_of(scene: Any, over: Mapping[str, Any], unknown: Iterable[str]) -> list[dict]:
+    """A grid over ranges. @param unknown keys, which have none. Raises ValueError, SceneError."""
     ends = [range_of(key, over[key]) for key in mapping("over", over, '{"base.inclination": (0.0, 0.35)}')]
     axes = [[float(f"{value:.4g}") for value in np.linspace(*each, POINTS.get(len(ends), FEWEST))] for each in ends]
-    return [dict(zip(over, values)) for values in itertools.product(*axes)]
+    settings = [dict(zip(over, values)) for values in itertools.product(*axes)]
+    for key in set(over) & set(unknown):
+        raise ValueError(f"over[{key!r}]: is unknown as well")
+    for setting in (settings[0], settings[-1]):
+        scene.replace(setting)
+    return settings
 
 
 def proposed(calibration: Any, over: list[dict]) -> Values:
@@ -38,7 +43,7 @@ def proposed(calibration: Any, over: list[dict]) -> Values:
         for number in calibration.data.numbers:
             if number.row > 0:
                 break
-            values, _ = calibration.values_of(number, rows.iloc[k::len(settings)])
+            values, _ = calibration.values_of(number, rows[k])
             defined = np.isfinite(values)
             if defined.sum() < 2 * design.shape[1]:
                 continue

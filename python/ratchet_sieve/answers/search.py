@@ -192,14 +192,14 @@ class Search:
                                        {"error_spread": UNKNOWN_ERRORS}))
         self._known = places, (1.0 if self.has_errors else values.var()) / total
         self._surface.fit(places, values, self._known[1])
-        self.value, variance, half = self._surface.at(self.grid)
-        self.error = np.sqrt(variance)
+        self.value, self._variance, self._half = self._surface.at(self.grid)
+        self.error = np.sqrt(self._variance)
         height = np.abs(self.value) if self.machine.is_signed else self.value
         self._is_seen = distance.min(axis=1) < NEAR
         settled = self.works & defined[nearest] & (self._is_seen | (not self.is_cut_short))
         height = np.where(settled if settled.any() else self.works, height - self._handicap, -np.inf)
         self.best = int(height.argmax()) if best is None else best
-        self.may = self._may(self._surface, variance, half)
+        self.may = self._may(self._variance, self._half)
         up = np.copysign(1.0, self.value[self.best]) if self.machine.is_signed else 1.0
         # By how much the best may be better than each: by no more than all of it, where that is not below 0.
         whole = abs(self.value[self.best]) + Z * self.error[self.best]
@@ -222,9 +222,9 @@ class Search:
         value, variance, _ = self._costs.at(self.grid)
         return np.exp(value + np.sqrt(variance))
 
-    def _may(self, surface, variance, half):
+    def _may(self, variance, half):
         """By how much each place may be better than the best, at 95 % of all places together, less its handicap."""
-        covariance, k = surface.covariance_with(self.grid, half, self.best), self.best
+        covariance, k = self._surface.covariance_with(self.grid, half, self.best), self.best
         up = 1.0 if self.value[k] >= 0.0 or not self.machine.is_signed else -1.0
         spread = variance + variance[k]
         may = up * (self.value - self.value[k]) + ANYWHERE * np.sqrt(np.maximum(spread - 2.0 * covariance, 0.0))
@@ -259,7 +259,7 @@ class Search:
         """@return map from the number of a place to its runs"""
         cost = self._rate * units
         most = np.maximum(np.where(self._is_seen, LONG_COST, UNSEEN_COST) * self._usual / cost, 1.0)
-        picks, places, errors = {}, [], []
+        picks, variance, half = {}, self._variance, self._half
         may, error = self.may, self.error
         sign_is_known = abs(self.value[self.best]) > ANYWHERE * error[self.best]
         for _ in range(BATCH):
@@ -274,11 +274,8 @@ class Search:
                 k = self.best
             picks[k] = picks.get(k, 0) + 1
             most[k] -= 1.0
-            places.append(self.grid[k])
-            errors.append(self._error_of(k, units[k]))
-            then = self._surface.with_more(np.array(places), errors)
-            _, variance, half = then.at(self.grid)
-            may, error = self._may(then, variance, half), np.sqrt(variance)
+            variance, half = self._surface.after(self.grid, variance, half, k, self._error_of(k, units[k]))
+            may, error = self._may(variance, half), np.sqrt(variance)
         return picks
 
     def _error_of(self, k, unit):

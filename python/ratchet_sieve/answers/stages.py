@@ -134,7 +134,7 @@ def next_stage(answer: Any, side: str, over: Any, separate: Any, **options: Any)
     if found.separated and answer.separated and machine.is_signed and found.machine.is_signed and \
             found.separation.value * answer.separation.value < 0.0:
         found.warnings.append(
-            f"this stage undoes the one before: it parts the kinds the other way round ({answer.separation}, then "
+            f"this stage undoes the one before: it separates the other way round ({answer.separation}, then "
             f"{found.separation}); its {side} end has more of the kind that left the first one to the "
             f"{SIDES[1 - SIDES.index(side)]}")
     return found

@@ -33,20 +33,10 @@ class Surface:
         self._places, self._values = places, values / self._scale
         self._variances = variances / self._scale ** 2
         flat = np.array([-4.0, *self._parameters[1:]])
-        found = [optimize.minimize(self._loss, start, method="L-BFGS-B", bounds=self._bounds,
+        found = [optimize.minimize(self._loss, start, jac=True, method="L-BFGS-B", bounds=self._bounds,
                                    options={"maxiter": STEPS}) for start in (self._parameters, flat)]
         self._parameters = min(found, key=lambda result: result.fun).x
         self._condition()
-
-    def with_more(self, places, variances):
-        """What it will know once these places are measured as well: the same surface with smaller errors."""
-        more = object.__new__(Surface)
-        more.__dict__.update(self.__dict__)
-        more._places = np.vstack([self._places, places])
-        more._values = np.concatenate([self._values, self.at(places)[0] / self._scale])
-        more._variances = np.concatenate([self._variances, np.asarray(variances) / self._scale ** 2])
-        more._condition()
-        return more
 
     def at(self, places):
         """@return values (n,), their variances, and what covariance_with() takes"""
@@ -60,6 +50,12 @@ class Surface:
         """The covariances of the values at all places with that at places[k]."""
         return self._scale ** 2 * (self._covariance(places, places[k:k + 1])[:, 0] - half.T @ half[:, k])
 
+    def after(self, places, variances, half, k, error):
+        """What at() says once places[k] is measured as well. @param error its variance
+        @return the variances at the places, and what covariance_with() takes"""
+        row = self.covariance_with(places, half, k) / (self._scale * np.sqrt(variances[k] + self.excess * error))
+        return np.maximum(variances - (self._scale * row) ** 2, self._scale ** 2 * TINY), np.vstack([half, row])
+
     @property
     def excess(self):
         """By what the errors' variance exceeds what was stated."""
@@ -70,23 +66,35 @@ class Surface:
         """The median of the errors' stated variances."""
         return float(np.median(self._variances)) * self._scale ** 2
 
-    def _covariance(self, a, b, parameters=None):
-        parameters = self._parameters if parameters is None else parameters
-        lengths = np.exp(parameters[1:-1])
-        r = np.sqrt(5.0) * distance.cdist(a / lengths, b / lengths)
-        return np.exp(2.0 * parameters[0]) * (1.0 + r + r * r / 3.0) * np.exp(-r) + OFFSET ** 2
-
-    def _cholesky(self, parameters):
-        errors = np.exp(parameters[-1]) * self._variances + TINY
-        return linalg.cholesky(self._covariance(self._places, self._places, parameters) + np.diag(errors), lower=True)
+    def _covariance(self, a, b):
+        return np.exp(2.0 * self._parameters[0]) * _matern(_distances(a, b, self._parameters)) + OFFSET ** 2
 
     def _loss(self, parameters):
-        """The negative logarithm of the parameters' probability, but for a constant."""
-        factor = self._cholesky(parameters)
-        z = linalg.solve_triangular(factor, self._values, lower=True)
-        prior = ((parameters - self._likely) / self._spreads) ** 2
-        return 0.5 * (z @ z) + np.log(np.diag(factor)).sum() + 0.5 * prior.sum()
+        """The negative logarithm of the parameters' probability, but for a constant, and its gradient."""
+        r = _distances(self._places, self._places, parameters)
+        smooth, errors = np.exp(2.0 * parameters[0]) * _matern(r), np.exp(parameters[-1]) * self._variances
+        factor = linalg.cholesky(smooth + OFFSET ** 2 + np.diag(errors + TINY), lower=True)
+        weights = linalg.cho_solve((factor, True), self._values)
+        prior = (parameters - self._likely) / self._spreads
+        loss = 0.5 * self._values @ weights + np.log(np.diag(factor)).sum() + 0.5 * prior @ prior
+        by_covariance = 0.5 * (linalg.cho_solve((factor, True), np.eye(len(r))) - np.outer(weights, weights))
+        by_squares = by_covariance * np.exp(2.0 * parameters[0]) * 5.0 / 3.0 * (1.0 + r) * np.exp(-r)
+        scaled = self._places / np.exp(parameters[1:-1])
+        by_lengths = 2.0 * (by_squares.sum(axis=1) @ scaled ** 2 - ((by_squares @ scaled) * scaled).sum(axis=0))
+        return loss, prior / self._spreads + np.array([2.0 * (by_covariance * smooth).sum(), *by_lengths,
+                                                       np.diag(by_covariance) @ errors])
 
     def _condition(self):
-        self._factor = self._cholesky(self._parameters)
+        errors = np.exp(self._parameters[-1]) * self._variances + TINY
+        self._factor = linalg.cholesky(self._covariance(self._places, self._places) + np.diag(errors), lower=True)
         self._weights = linalg.cho_solve((self._factor, True), self._values)
+
+
+def _distances(a, b, parameters):
+    """In units of the lengths, as Matérn's covariance takes them."""
+    lengths = np.exp(parameters[1:-1])
+    return np.sqrt(5.0) * distance.cdist(a / lengths, b / lengths)
+
+
+def _matern(r):
+    return (1.0 + r + r * r / 3.0) * np.exp(-r)

@@ -5,7 +5,7 @@ import warnings
 from typing import Any, Iterable, Mapping
 
 import numpy as np
-from scipy import special
+from scipy import stats
 
 from ratchet_sieve.answers.places import spread
 from ratchet_sieve.arguments import mapping, number
@@ -53,21 +53,13 @@ class Prior(Unknown):
         ValueError, SceneError."""
         if not mapping("unknown", unknown, EXAMPLE):
             raise ValueError(f"unknown: must name a key, such as {EXAMPLE}")
-        self._normal = {key: _is_normal(ends) for key, ends in unknown.items()}
-        self._ends = np.array([_ends(scene, key, ends) for key, ends in unknown.items()])
-        super().__init__(list(unknown), np.empty((0, len(unknown))))
-        self.table = self.values(spread(len(unknown), ROWS, 0))
+        self._distributions = [_distribution(scene, key, ends) for key, ends in unknown.items()]
+        super().__init__(list(unknown), self.values(spread(len(unknown), ROWS, 0)))
+        scene.replace(self.middle)  # warns of what is implausible
 
     def values(self, places: np.ndarray) -> np.ndarray:
         """@param places (n, d) from 0 to 1, of which equal parts are equally likely @return (n, d)"""
-        found = []
-        for place, (key, is_normal), (low, high, value, sigma) in zip(places.T, self._normal.items(), self._ends):
-            if is_normal:
-                ends = special.ndtr((np.array([low, high]) - value) / sigma)
-                found.append(value + sigma * special.ndtri(ends[0] + place * (ends[1] - ends[0])))
-            else:
-                found.append(low + place * (high - low))
-        return np.stack(found, axis=1)
+        return np.stack([of.ppf(place) for of, place in zip(self._distributions, places.T)], axis=1)
 
 
 def prior_of(scene: Any, unknown: Any) -> Any:
@@ -75,31 +67,27 @@ def prior_of(scene: Any, unknown: Any) -> Any:
     return unknown if unknown is None or isinstance(unknown, Unknown) else Prior(scene, unknown)
 
 
-def _is_normal(ends: Any) -> bool:
-    return isinstance(ends, (tuple, list)) and len(ends) == 3 and ends[1] in ("±", "+-")
-
-
-def _ends(scene: Any, key: str, ends: Any) -> tuple[float, float, float, float]:
-    """@return lowest and highest value, and of a normal one its middle and standard deviation. Raises ValueError,
-    SceneError."""
+def _distribution(scene: Any, key: str, ends: Any) -> Any:
+    """@return scipy's. Raises ValueError, SceneError."""
     name = f"unknown[{key!r}]"
     if key in NOT_UNKNOWN:
         raise ValueError(f"{name}: must be another key than {', '.join(NOT_UNKNOWN)}")
-    if _is_normal(ends):
+    is_normal = isinstance(ends, (tuple, list)) and len(ends) == 3 and ends[1] in ("±", "+-")
+    if not is_normal and (not isinstance(ends, (tuple, list)) or len(ends) != 2):
+        raise ValueError(f'{name} = {ends!r}: must be a pair (low, high), or (value, "±", error)')
+    if is_normal:
         value, sigma = number(f"{name}, value", ends[0]), number(f"{name}, error", ends[2]) / Z_95
         if sigma <= 0.0:
             raise ValueError(f"{name}, error = {ends[2]!r}: must be above 0")
         _require(scene, key, value)
-        low, high = (_legal(scene, key, value, value + side * SIGMAS * sigma) for side in (-1.0, 1.0))
-        return low, high, value, sigma
-    if not isinstance(ends, (tuple, list)) or len(ends) != 2:
-        raise ValueError(f'{name} = {ends!r}: must be a pair (low, high), or (value, "±", error)')
+        legal = [_legal(scene, key, value, value + side * SIGMAS * sigma) for side in (-1.0, 1.0)]
+        return stats.truncnorm(*((end - value) / sigma for end in legal), loc=value, scale=sigma)
     low, high = number(f"{name}, low", ends[0]), number(f"{name}, high", ends[1])
     if not low < high:
         raise ValueError(f"{name} = {ends[0]!r} to {ends[1]!r}: must have a width: low below high")
     for value in (low, high, low + INNER * (high - low)):
         _require(scene, key, value)
-    return low, high, 0.0, 0.0
+    return stats.uniform(low, high - low)
 
 
 def _require(scene: Any, key: str, value: float) -> None:

@@ -172,6 +172,7 @@ double Engine::blockTime() const
 void Engine::endBlock()
 {
   ++blocks_;
+  state_.closePaths();
   state_.sums().averages.endBlock(now_);
   state_.log().endBlock(now_);
 }

@@ -30,36 +30,53 @@ Averages::Averages(const SystemState& system) : system_(system), layer_(system.p
   restart();
 }
 
-/// Adds a disk's trajectory as far as it counts, up to `time` or until it left.
+/// A disk's displacement and time as far as they count, up to `time` or until it left.
+BlockSum Averages::pathOf(std::uint32_t slot, double time) const
+{
+  const Disk& disk = system_.disk(slot);
+  const DiskRecord& record = system_.record(slot);
+  const double x = record.active ? positionAt(disk, time, system_.scene().gravity).x() : disk.position.x();
+  const double until = record.active ? system_.epoch().start + time : record.left_when;
+  return {x + record.offset - record.counted_x, until - record.counted_from};
+}
+
+/// Calls a function with each row that a disk belongs to.
+template <typename Function>
+void Averages::eachRow(std::uint32_t slot, const Function& function) const
+{
+  const Disk& disk = system_.disk(slot);
+  const std::size_t species = system_.scene().species.size();
+  function(disk.species);
+  if (first_group_ > species)
+    if (const std::size_t row = species + system_.sizeClassOf(disk); row < first_group_)
+      function(row);
+  if (hasGroups())
+    function(first_group_ + disk.species * GROUPS + system_.id(slot) % GROUPS);
+}
+
 void Averages::add(std::uint32_t slot, double time, std::vector<Sums>& sums) const
 {
   const Disk& disk = system_.disk(slot);
   const SpeciesDefinition& species = system_.scene().species[disk.species];
-  const double gravity = system_.scene().gravity;
   DiskRecord record = system_.record(slot);
   if (record.active)
-    record.fly(disk, time, gravity);
-  const double x = record.active ? positionAt(disk, time, gravity).x() : disk.position.x();
-  const double until = record.active ? system_.epoch().start + time : record.left_when;
-  const BlockSum path{x + record.offset - record.counted_x, until - record.counted_from};
+    record.fly(disk, time, system_.scene().gravity);
+  const BlockSum path = pathOf(slot, time);
   const double mass = record.properties.mass;
   const double inertia = species.inertiaOf(mass, disk.radius) / species.inertia();
-  const auto add_to = [&](Sums& sum)
-  {
-    sum.disks += 1.0;
-    sum.path.sum += path.sum;
-    sum.path.weight += path.weight;
-    sum.displacement_squared += path.sum * path.sum;
-    sum.displacement_time += path.sum * path.weight;
-    sum.time_squared += path.weight * path.weight;
-    sum.translation += mass / species.mass * record.translation;
-    sum.rotation += inertia * record.rotation;
-  };
-  add_to(sums[disk.species]);
-  if (const std::size_t row = system_.scene().species.size() + system_.sizeClassOf(disk); row < first_group_)
-    add_to(sums[row]);
-  if (hasGroups())
-    add_to(sums[first_group_ + disk.species * GROUPS + system_.id(slot) % GROUPS]);
+  eachRow(slot,
+          [&](std::size_t row)
+          {
+            Sums& sum = sums[row];
+            sum.disks += 1.0;
+            sum.path.sum += path.sum;
+            sum.path.weight += path.weight;
+            sum.displacement_squared += path.sum * path.sum;
+            sum.displacement_time += path.sum * path.weight;
+            sum.time_squared += path.weight * path.weight;
+            sum.translation += mass / species.mass * record.translation;
+            sum.rotation += inertia * record.rotation;
+          });
 }
 
 std::vector<Averages::Sums> Averages::sums(double time) const
@@ -71,11 +88,26 @@ std::vector<Averages::Sums> Averages::sums(double time) const
   return sums;
 }
 
-void Averages::forget(const std::vector<std::uint32_t>& slots)
+/// Of sums(), as they are at every end of a block.
+std::vector<BlockSum> Averages::paths(double time) const
 {
-  for (const std::uint32_t slot : slots)
+  std::vector<BlockSum> paths;
+  for (const Sums& gone : gone_)
+    paths.push_back(gone.path);
+  for (std::uint32_t slot = 0; slot < system_.disks().size(); ++slot)
     if (system_.record(slot).counts())
-      add(slot, 0.0, gone_);
+      eachRow(slot,
+              [&, path = pathOf(slot, time)](std::size_t row)
+              {
+                paths[row].sum += path.sum;
+                paths[row].weight += path.weight;
+              });
+  return paths;
+}
+
+void Averages::close(std::uint32_t slot)
+{
+  add(slot, 0.0, gone_);
 }
 
 void Averages::restart()
@@ -89,11 +121,11 @@ void Averages::endBlock(double time)
 {
   if (!keepsSeries())
     return;
-  const std::vector<Sums> now = sums(time);
+  const std::vector<BlockSum> now = paths(time);
   for (std::size_t row = layer_ ? 0 : first_group_; row < now.size(); ++row)
   {
-    const BlockSum before = std::exchange(at_block_end_[row], now[row].path);
-    blocks_[row].add(now[row].path.sum - before.sum, now[row].path.weight - before.weight);
+    const BlockSum before = std::exchange(at_block_end_[row], now[row]);
+    blocks_[row].add(now[row].sum - before.sum, now[row].weight - before.weight);
   }
 }
 

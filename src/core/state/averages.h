@@ -18,8 +18,8 @@ class Averages
 public:
   explicit Averages(const SystemState& system);
 
-  /// These disks, which have left, are about to be forgotten.
-  void forget(const std::vector<std::uint32_t>& slots);
+  /// The path of a disk that has left counts from now on without it.
+  void close(std::uint32_t slot);
 
   /// The end of `settle`: the means begin anew.
   void restart();
@@ -63,7 +63,11 @@ private:
   };
 
   bool hasGroups() const { return first_group_ < species_of_.size(); }
+  BlockSum pathOf(std::uint32_t slot, double time) const;
+  template <typename Function>
+  void eachRow(std::uint32_t slot, const Function& function) const;
   void add(std::uint32_t slot, double time, std::vector<Sums>& sums) const;
+  std::vector<BlockSum> paths(double time) const;
   std::vector<Sums> sums(double time) const;
   SpeciesMeans meansOf(std::size_t row, const std::vector<Sums>& sums) const;
 
@@ -71,7 +75,7 @@ private:
   bool layer_;                           ///< whether disks collide with each other
   std::vector<std::size_t> species_of_;  ///< of each row: species, size classes, and groups if requested
   std::size_t first_group_;              ///< its row
-  std::vector<Sums> gone_;               ///< of disks removed by compaction
+  std::vector<Sums> gone_;               ///< of closed paths
 
   // The series: of a layer, else of the groups.
   std::vector<BlockSum> at_block_end_;  ///< at the end of the last block

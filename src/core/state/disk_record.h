@@ -27,7 +27,7 @@ struct CollapseWindow
 /// Two cache lines; most events change the first alone. Times are the run's unless stated otherwise.
 struct alignas(64) DiskRecord
 {
-  /// Value of counted_from for disks that had left before the counting began.
+  /// Value of counted_from of disks that do not count, or no longer: they had left before, or are closed.
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
 
   DiskProperties properties;
@@ -47,7 +47,7 @@ struct alignas(64) DiskRecord
   double counted_from = 0.0;    ///< [s]; or NEVER
   double left_when = 0.0;       ///< [s]
 
-  /// Whether any part of its stay counts.
+  /// Whether any part of its stay is to be added to the averages.
   bool counts() const { return counted_from < NEVER; }
 
   /// Unwrapped path along world x since the disk entered [m].

@@ -144,13 +144,23 @@ std::vector<std::uint32_t> SystemState::slots(bool active) const
   return found;
 }
 
+void SystemState::closePaths()
+{
+  for (std::uint32_t slot = 0; slot < records_.size(); ++slot)
+    if (DiskRecord& record = records_[slot]; !record.active && record.counts())
+    {
+      sums_.averages.close(slot);
+      record.counted_from = DiskRecord::NEVER;
+    }
+}
+
 bool SystemState::compact()
 {
   const std::size_t gone = disks_.size() - active_count_;
   if (gone < LEAST_COMPACTED || gone <= active_count_)
     return false;
   const std::vector<std::uint32_t> kept = slots(true), forgotten = slots(false);
-  sums_.averages.forget(forgotten);
+  closePaths();
   for (const std::uint32_t slot : forgotten)
     impulse_of_gone_ += records_[slot].base_impulse;
   log_.keep(kept);

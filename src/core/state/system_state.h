@@ -210,6 +210,9 @@ public:
   /// The slots of the active disks, or of the others, in increasing order.
   std::vector<std::uint32_t> slots(bool active) const;
 
+  /// Disks that have left are closed in the averages, so that these cost what is in the machine.
+  void closePaths();
+
   /// Removes disks that have left from the arrays if they are the majority; the others move to smaller slots.
   /// @return whether it did
   bool compact();

@@ -1,5 +1,8 @@
 const CHART_HEIGHT = 170;  // if a chart does not say
 
+/** The least and the greatest of numbers; null, null: there are none. */
+function rangeOf(numbers) { return [Math.min, Math.max].map((better) => numbers.length ? numbers.reduce((a, b) => better(a, b)) : null); }
+
 /** A range of the axis around these numbers, also where they are all the same. */
 function padded(low, high) {
   if (low === null || high === null) return [0, 1];

@@ -14,17 +14,37 @@ function element(tag, attributes = {}, ...children) {
   return made;
 }
 
-/** A row of a table: the first cell is its heading. */
-function rowOf(cells, columnsHead = false) {
-  return element('tr', {}, ...cells.map((cell, k) =>
-    columnsHead ? element('th', {scope: 'col'}, cell)
-      : k === 0 ? element('th', {scope: 'row'}, cell) : element('td', {}, cell)));
+/** Fills a table. The first cell of a row is its heading. @param {Array<string|Node>} head @param {Array<Array<string|Node>>} rows */
+function fillTable(table, head, rows) {
+  table.querySelectorAll('thead, tbody').forEach((part) => part.remove());
+  table.append(element('thead', {}, element('tr', {}, ...head.map((cell) => element('th', {scope: 'col'}, cell)))),
+    element('tbody', {}, ...rows.map(([first, ...cells]) =>
+      element('tr', {}, element('th', {scope: 'row'}, first), ...cells.map((cell) => element('td', {}, cell))))));
 }
 
-/** Fills a table. @param {Array<string|Node>} head @param {Array<Array<string|Node>>} rows */
-function fillTable(table, head, rows) {
-  for (const part of [...table.tHead ? [table.tHead] : [], ...table.tBodies]) part.remove();
-  table.append(element('thead', {}, rowOf(head, true)), element('tbody', {}, ...rows.map((row) => rowOf(row))));
+/** A table in a box that scrolls. */
+function tableOf(title, head, rows) {
+  const table = element('table');
+  fillTable(table, head, rows);
+  return scrolling(title, table);
+}
+
+function scrolling(title, content) { return element('div', {class: 'table', tabindex: '0', role: 'group', 'aria-label': title}, content); }
+
+/** Names and values. @param {Array<Array<string|Node>>} rows */
+function listOf(rows) { return rows.flatMap(([name, value]) => [element('dt', {}, name), element('dd', {}, value)]); }
+
+/** The head of a page. */
+function showHead(title, origin, result = '') {
+  document.title = `${title} \u2013 ratchet_sieve`;
+  for (const [id, text] of Object.entries({title, origin, result})) byId(id).textContent = text;
+}
+
+/** Adds a scene, to be copied. */
+function addScene(parent, yaml) {
+  const [copy, text] = [element('button', {id: 'copy-scene', type: 'button'}, 'Copy the scene'), element('pre', {id: 'scene', tabindex: '0', 'aria-label': 'Scene'}, yaml)];
+  copyOnClick(copy, () => yaml, text);
+  parent.append(element('details', {}, element('summary', {}, 'Scene'), copy, text));
 }
 
 /** Whether a key is for the control that has the focus, and for nothing else. */
@@ -73,10 +93,8 @@ function openPage(make) {
 /** A name with a dot in its colour, or a ring as its disks are drawn. */
 function marked(name, k) {
   const mark = element('span', {class: 'mark'});
-  const of = PALETTE[k % PALETTE.length];
-  const colour = of.startsWith('--') ? `var(${of})` : of;
-  mark.style.border = `.17em solid ${colour}`;
-  if (!isRepeated(k)) mark.style.background = colour;
+  mark.style.border = `.17em solid var(${kindColour(k)})`;
+  if (!isRepeated(k)) mark.style.background = `var(${kindColour(k)})`;
   return element('span', {}, mark, name);
 }
 
@@ -110,6 +128,15 @@ function quantity(value, unit = '', digits = 4) {
   return text.replace('-', '\u2212') + (unit ? '\u00a0' + unit : '');
 }
 
+/** In which unit a number of an SI unit is shown, and how many of it that is. */
+function shownUnit(unit) { return {m: ['mm', 1e3], 'm/s': ['mm/s', 1e3], kg: ['g', 1e3], 'kg/s': ['g/s', 1e3]}[unit] || [unit, 1]; }
+
+/** A value of an SI unit as it is shown. */
+function shownText(value, unit, digits) {
+  const [shown, scale] = shownUnit(unit);
+  return quantity(value === null ? null : scale * value, shown, digits);
+}
+
 /** s, Q, P and shares, to three decimals. */
 function ratio(value) { return value === null || value === undefined ? UNDEFINED : value.toFixed(3).replace('-', '\u2212'); }
 
@@ -118,6 +145,9 @@ function percent(share) { return `${(100 * share).toFixed(0)}\u00a0%`; }
 
 /** A number of things. */
 function countText(count, thing) { return `${count} ${thing}${count === 1 ? '' : 's'}`; }
+
+/** What can be commanded: symbol and unit. */
+const COMMANDED = {inclination: ['\u03b8', 'rad'], frequency: ['f', 'Hz'], amplitude: ['A', 'm']};
 
 /** What symbols mean. */
 const MEANINGS = {
@@ -136,10 +166,10 @@ function symbol(name) { return element('abbr', {title: MEANINGS[name]}, name); }
 /** A value and its standard error. */
 function withError(value, error, unit, scale = 1) {
   if (value === null || value === undefined) return UNDEFINED;
-  if (error === null || error === undefined) return `${quantity(value * scale)} \u00b1 ${UNDEFINED}${unit ? '\u00a0' + unit : ''}`;
-  if (error === 0) return `${quantity(value * scale)} \u00b1 0${unit ? '\u00a0' + unit : ''}`;
   const decimals = Math.max(0, Math.min(12, 1 - Math.floor(Math.log10(Math.max(error * scale, 1e-12)))));
-  return `${(value * scale).toFixed(decimals)} \u00b1 ${(error * scale).toFixed(decimals)}${unit ? '\u00a0' + unit : ''}`.replace('-', '\u2212');
+  const texts = error ? [value, error].map((number) => (number * scale).toFixed(decimals).replace('-', '\u2212'))
+    : [quantity(value * scale), error === 0 ? '0' : UNDEFINED];
+  return texts.join(' \u00b1 ') + (unit ? '\u00a0' + unit : '');
 }
 
 /** A time to the millisecond. */
@@ -156,19 +186,14 @@ function lastNotAbove(numbers, value) {
   return from - 1;
 }
 
-/**
- * Okabe and Ito's colours, which colour-blind readers can tell apart; as in the other pictures and in RViz. The first is
- * lighter in the dark.
- */
-const PALETTE = ['--first-kind', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9'];
+const KINDS = 6;  // that have a colour of their own in the style sheet
 
-function colourOf(k) {
-  const colour = PALETTE[k % PALETTE.length];
-  return colour.startsWith('--') ? themeColour(colour) : colour;
-}
+function kindColour(k) { return `--kind-${k % KINDS}`; }
+
+function colourOf(k) { return themeColour(kindColour(k)); }
 
 /** Whether k has the colour of an earlier one: its disks are hollow, and its lines dotted. */
-function isRepeated(k) { return k >= PALETTE.length; }
+function isRepeated(k) { return k >= KINDS; }
 
 /** The dashes of a line of k as an option of uPlot. @param {boolean} isOther of two lines of k */
 function dashesOf(k, isOther = false) {

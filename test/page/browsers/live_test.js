@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import {describe, it} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {deflateSync} from 'node:zlib';
-import {LIVE, drawn, goesOn, openPage, openStill, pathOf} from './support/pages.js';
+import {LIVE, NARROW, drawn, goesOn, openPage, openStill, pathOf} from './support/pages.js';
 import {useBrowser} from './support/browser.js';
 
 const URL_OF_PAGE = pathToFileURL(pathOf(LIVE)).href;
@@ -98,14 +98,6 @@ describe('the live page', () => {
     assert.equal(await page.$eval('#seed', field => field.value), '2');
   });
 
-  it('pours disks by P', async () => {
-    const page = await openAt(browser(), 'demo', 0.1);
-    const {length} = await disksOf(page);
-    await page.keyboard.press('p');
-    await until(page, count => window.ratchetSieve.disks().length === count, length + 10);
-    assert.deepEqual(await sieve(page, 'schedule'), [[0.1, 'pour', 0, 10]]);
-  });
-
   it('keeps the setpoints with the next seed, until the scene\u2019s are asked for', async () => {
     const page = await openAt(browser(), 'demo', 0.1);
     await slide(page, '#set-inclination', 0.2);
@@ -119,15 +111,18 @@ describe('the live page', () => {
     assert.equal((await sieve(page, 'readings')).base.commanded_inclination, 0);
   });
 
-  it('drops a handful where one clicks', async () => {
+  it('pours disks by P, and drops a handful where one clicks', async () => {
     const page = await openAt(browser(), 'demo', 0.1);
+    const {length} = await disksOf(page);
+    await page.keyboard.press('p');
+    await until(page, count => window.ratchetSieve.disks().length === count, length + 10);
     const before = new Set((await disksOf(page)).map(({id}) => id));
     const box = await (await page.$('#machine')).boundingBox();
     const at = await page.evaluate(() => window.ratchetSieve.toPixel(0.3, 0.2));
     await page.mouse.click(box.x + at.x, box.y + at.y);
     await until(page, count => window.ratchetSieve.disks().length === count, before.size + 10);
-    const [[, name, species, count, from, to]] = await sieve(page, 'schedule');
-    assert.deepEqual([name, species, count], ['pour', 0, 10]);
+    const [first, [, name, species, count, from, to]] = await sieve(page, 'schedule');
+    assert.deepEqual([first, name, species, count], [[0.1, 'pour', 0, 10], 'pour', 0, 10]);
     assert.ok(from < 0.3 && 0.3 < to && to - from < 0.06, `${from} to ${to}`);
     for (const {id, x} of await disksOf(page))
       assert.ok(before.has(id) || from <= x && x <= to, `${x}`);
@@ -177,25 +172,21 @@ describe('the live page', () => {
     assert.ok(await page.$eval('#feed', field => field.hidden));
   });
 
-  it('zooms, and follows a disk that is clicked or named', async () => {
+  it('follows a disk that is named', async () => {
     const page = await openAt(browser(), 'demo', 0.2);
-    const scale = () => page.evaluate(() => window.ratchetSieve.toPixel(1, 0).x - window.ratchetSieve.toPixel(0, 0).x);
-    const whole = await scale();
-    await page.keyboard.press('+');
-    assert.ok(await scale() > whole * 1.05);
-    await page.click('#whole');
-    assert.equal(await scale(), whole);
-    const [disk, other] = (await disksOf(page)).filter(({species}) => species === 1);
-    const box = await (await page.$('#machine')).boundingBox();
-    const at = await page.evaluate(({x, y}) => window.ratchetSieve.toPixel(x, y), disk);
-    await page.mouse.click(box.x + at.x, box.y + at.y);
-    assert.equal(await sieve(page, 'followed'), disk.id);
-    await page.keyboard.press('Escape');
-    assert.equal(await sieve(page, 'followed'), null);
+    const {id} = (await disksOf(page)).at(-1);
     await page.$$eval('#panel details', parts => parts.forEach(part => (part.open = true)));
-    await page.type('#follow', String(other.id));
+    await page.type('#follow', String(id));
     await page.keyboard.press('Enter');
-    assert.equal(await sieve(page, 'followed'), other.id);
+    assert.equal(await sieve(page, 'followed'), id);
+  });
+
+  it('shows the middle of the machine where its disks would be points, and the whole when asked', async () => {
+    const {page} = await openStill(browser(), LIVE, NARROW);
+    const width = () => page.evaluate(() => window.ratchetSieve.toPixel(0.76, 0).x - window.ratchetSieve.toPixel(0, 0).x);
+    assert.ok(await width() > NARROW.width);
+    await page.click('#whole');
+    assert.ok(await width() < NARROW.width);
   });
 });
 

@@ -32,7 +32,7 @@ class Advice {
     const near = quantities.flatMap(({name, unit, min, max}, k) => [1, -1].map((way) => way * ADVICE_STEPS[name])
       .filter((step) => min <= now[k] + step && now[k] + step <= max).map((step) => ({
         setpoints: now.with(k, now[k] + step),
-        text: `${setpointText(Math.abs(step), unit)} ${step > 0 ? 'more' : 'less'} ${name}`,
+        text: `${shownText(Math.abs(step), unit)} ${step > 0 ? 'more' : 'less'} ${name}`,
       })));
     return [{setpoints: now}, ...near].map((each) => ({...each, separations: []}));
   }

@@ -13,7 +13,7 @@ class Beside {
   offer({offered}) {
     if (offered === this.offered) return;
     this.offered = offered;
-    byId('beside').replaceChildren(...[['', 'no'], ['seed', 'the next seed'], ...offered.quantities.map(({name}) => [name, `another ${name}`])]
+    byId('beside').replaceChildren(...[['', 'no'], ['seed', 'next seed'], ...offered.quantities.map(({name}) => [name, name])]
       .map(([value, text]) => element('option', {value}, text)));
     this.show(false);
   }
@@ -85,10 +85,10 @@ class Beside {
   draw() {
     if (!this.picture) return;
     const {bins, records, readings: {time}} = this.shown;
-    this.picture.view = this.page.picture.view;
+    Object.assign(this.picture, {view: this.page.picture.view, insets: this.page.picture.insets});
     this.picture.fillBins();
     this.picture.draw(time);
-    const what = this.quantity ? `${this.quantity.name} ${setpointText(this.value, this.quantity.unit)}` : `seed ${this.page.settings.seed + 1}`;
+    const what = this.quantity ? `${this.quantity.name} ${shownText(this.value, this.quantity.unit)}` : `seed ${this.page.settings.seed + 1}`;
     byId('beside-result').textContent = `${what}: ${sortedText(time, bins, records.velocities, this.offered.machine)}`;
   }
 }

@@ -1,8 +1,7 @@
 /** The run as others can repeat it: settings in a link, and a program. */
 
-/** Of a command: its letter in a link, how many numbers may follow its name, and how many of them are whole. See Engine.order(). */
-const COMMANDS = {command: {letter: 'c', counts: [2], whole: 1}, slew: {letter: 's', counts: [3], whole: 0},
-  pour: {letter: 'p', counts: [2, 4], whole: 2}};
+/** Of a command, whose first letter stands in a link: how many numbers may follow, and how many of them are whole. See Engine.order(). */
+const COMMANDS = {command: {counts: [2], whole: 1}, slew: {counts: [3], whole: 0}, pour: {counts: [2, 4], whole: 2}};
 const MARK = '#run=';   // before the settings of a link
 const PER_SECOND = 1e3;  // commands are given at whole milliseconds: src/web/session.js
 
@@ -25,7 +24,7 @@ async function settingsOfLink(fragment, scenes) {
   if (!offered) throw new Error(`there is no scene ${name} in this page`);
   let at = 0;
   const schedule = rows.map(([wait, letter, ...values]) => [(at += wait) / PER_SECOND,
-    Object.keys(COMMANDS).find((each) => COMMANDS[each].letter === letter), ...values]);
+    Object.keys(COMMANDS).find((name) => name[0] === letter), ...values]);
   if (!Number.isSafeInteger(seed) || seed < 0 || !Number.isFinite(feedRate) ||
       !rows.every(([wait]) => Number.isSafeInteger(wait) && wait >= 0) || !schedule.every(([, ...order]) => isCommand(order)))
     throw new Error('seed, feed or commands are not as this page writes them');
@@ -33,28 +32,18 @@ async function settingsOfLink(fragment, scenes) {
 }
 
 async function fragmentOf({offered, seed, feedRate}, schedule) {
-  let last = 0;
-  const rows = schedule.map(([time, name, ...values]) => {
-    const at = Math.round(time * PER_SECOND);
-    const wait = at - last;
-    last = at;
-    return [wait, COMMANDS[name].letter, ...values];
-  });
+  const at = schedule.map(([time]) => Math.round(time * PER_SECOND));
+  const rows = schedule.map(([, [letter], ...values], k) => [at[k] - (at[k - 1] || 0), letter, ...values]);
   const bytes = await deflated(new TextEncoder().encode(JSON.stringify([offered.name, seed, feedRate, rows])));
   return MARK + btoa(String.fromCharCode(...bytes)).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 }
 
 /** A command as a line of Python. @param {Array} order see Engine.order() */
 function pythonOf([name, ...values], offered) {
-  switch (name) {
-    case 'command': return `simulation.command(${offered.quantities[values[0]].name}=${values[1]})`;
-    case 'slew':
-      return `simulation.set_slew_rates(${offered.quantities.map((each, k) => `${each.name}=${values[k]}`).join(', ')})`;
-    default: {
-      const [species, count, ...between] = values;
-      return `simulation.pour(${species}, ${count}${between.length ? `, between=(${between.join(', ')})` : ''})`;
-    }
-  }
+  if (name === 'command') return `simulation.command(${offered.quantities[values[0]].name}=${values[1]})`;
+  if (name === 'slew') return `simulation.set_slew_rates(${offered.quantities.map((each, k) => `${each.name}=${values[k]}`).join(', ')})`;
+  const [species, count, ...between] = values;
+  return `simulation.pour(${species}, ${count}${between.length ? `, between=(${between.join(', ')})` : ''})`;
 }
 
 /** A program that repeats the run up to a time, to the same bits. */

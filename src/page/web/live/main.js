@@ -39,9 +39,9 @@ class LivePage extends MachinePage {
     return this.engine.open(settings, this.asked);
   }
 
-  openScene(name) {
+  openScene(name, settings = {}) {
     const offered = this.scenes.find((scene) => scene.name === name);
-    return this.open({offered, seed: offered.seed, feedRate: offered.feed_rate, schedule: []});
+    return this.open({offered, seed: offered.seed, feedRate: offered.feed_rate, schedule: [], ...settings});
   }
 
   /** Opens the run of a link's fragment; of another one, the first scene. Of one that cannot be opened it says why. */
@@ -72,7 +72,8 @@ class LivePage extends MachinePage {
 
   async order(order) {
     await this.engine.ask('order', {order});
-    this.fit();
+    this.picture.layout(this.insets());
+    this.show();
   }
 
   /** A handful of disks onto the place of the base that is below a point. */
@@ -110,14 +111,6 @@ class LivePage extends MachinePage {
     this.showMachine(run.base, run.motion, run.bins, new Curves(byId('curves'), {machine}, run.records, [0, 1],
       machine.boundary !== 'periodic', () => {}, () => this.player.time));
     this.controls.onClick = (x, y) => this.drop(x, y);
-  }
-
-  /** The base tilts, or the panel folds: the picture is to hold the machine. */
-  fit() {
-    if (!this.picture) return;
-    this.picture.fit();
-    this.resize();
-    this.show();
   }
 
   insets() {
@@ -175,8 +168,7 @@ openPage(async () => {
     /** A whole run. @return {Promise<{readings: Object, disks: Float64Array}>} the state at a time */
     async stateAt(name, time, settings) {
       player.pause();
-      const offered = page.scenes.find((scene) => scene.name === name);
-      await page.open({offered, seed: offered.seed, feedRate: offered.feed_rate, schedule: [], ...settings});
+      await page.openScene(name, settings);
       return page.engine.ask('advance', {to: time});
     },
     program: () => page.program(),

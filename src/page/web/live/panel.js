@@ -61,7 +61,7 @@ class Panel {
       rate.addEventListener('change', () => {
         if (rate.reportValidity()) this.page.order(['slew', ...this.slews.map((each, i) => i === k ? Number(rate.value) : each)]);
       });
-      return element('label', {}, `slew rate ${SYMBOLS[offered.quantities[k].name]} `, rate, ` ${offered.quantities[k].unit}/s`);
+      return element('label', {}, `slew rate ${COMMANDED[offered.quantities[k].name][0]} `, rate, ` ${offered.quantities[k].unit}/s`);
     }));
   }
 

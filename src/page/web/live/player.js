@@ -45,25 +45,14 @@ class LivePlayer extends Player {
     this.factor = null;
   }
 
-  play() {
-    if (this.playing) return;
-    this.playing = true;
-    this.factor = null;
-    this.onChange();
-    const measured = {wall: performance.now(), time: this.time};
-    this.before = null;
-    const step = this.step = (now) => {
-      if (!this.playing || this.step !== step) return;
-      requestAnimationFrame(step);
-      const isNew = this.time < measured.time;  // another run
-      if (isNew || now - measured.wall > 1000 * FACTOR_TIME) {
-        this.factor = isNew ? null : (this.time - measured.time) / (now - measured.wall) * 1000;
-        [measured.wall, measured.time] = [now, this.time];
-      }
-      if (this.isBusy()) return;
-      const elapsed = this.elapsedTo(now);
-      this.engine.ask('advance', {to: this.speed === MOST ? Infinity : this.time + this.speed * elapsed, budget: BUDGET});
-    };
-    requestAnimationFrame(step);
+  goOn(now) {
+    const isNew = this.before === null || this.time < this.measured.time;  // another run
+    if (isNew || now - this.measured.wall > 1000 * FACTOR_TIME) {
+      this.factor = isNew ? null : (this.time - this.measured.time) / (now - this.measured.wall) * 1000;
+      this.measured = {wall: now, time: this.time};
+    }
+    if (this.isBusy()) return;
+    const elapsed = this.elapsedTo(now);
+    this.engine.ask('advance', {to: this.speed === MOST ? Infinity : this.time + this.speed * elapsed, budget: BUDGET});
   }
 }

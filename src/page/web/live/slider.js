@@ -1,15 +1,4 @@
 const SETPOINT_PERIOD = 200;  // between two commands while a slider moves [ms]
-const SCALES = {m: [1e3, 'mm']};  // in which a setpoint is shown
-const SYMBOLS = {inclination: '\u03b8', frequency: 'f', amplitude: 'A'};
-
-/** A setpoint as it is shown. */
-function setpointText(value, unit) {
-  const [scale, shown] = SCALES[unit] || [1, unit];
-  return quantity(value * scale, shown);
-}
-
-/** A power of ten that divides a range into 1000 steps or more. */
-function stepOf(range) { return 10 ** (Math.floor(Math.log10(range)) - 3); }
 
 /**
  * A slider of a commanded quantity. While it moves it gives a command now and then, and the last value for certain. Else
@@ -20,7 +9,8 @@ class Slider {
   constructor(prefix, {name, unit, min, max}, give) {
     [this.unit, this.give] = [unit, give];
     const id = prefix + name;
-    this.input = element('input', {type: 'range', id, min, max, step: stepOf(max - min)});
+    const step = 10 ** (Math.floor(Math.log10(max - min)) - 3);  // of a range 1000 or more
+    this.input = element('input', {type: 'range', id, min, max, step});
     this.output = element('output', {for: id});
     this.given = null;
     this.givenAt = this.unanswered = 0;
@@ -31,11 +21,11 @@ class Slider {
     this.input.addEventListener('change', () => {
       if (Number(this.input.value) !== this.given) this.giveValue();
     });
-    this.part = element('div', {class: 'setpoint'}, element('label', {for: id}, name + ' ', symbol(SYMBOLS[name])), this.output, this.input);
+    this.part = element('div', {class: 'setpoint'}, element('label', {for: id}, name + ' ', symbol(COMMANDED[name][0])), this.output, this.input);
   }
 
   showValue(value) {
-    this.output.textContent = setpointText(value, this.unit);
+    this.output.textContent = shownText(value, this.unit);
     this.input.setAttribute('aria-valuetext', this.output.textContent);
   }
 

@@ -69,7 +69,7 @@ class Records {
       return [name, this.columns.at(-1).cells];
     }));
     const ofSpecies = (...names) => species.map((_, k) => table((readings) => readings.species[k], ...names));
-    this.drive = table(({base}) => base, 'time', ...['inclination', 'frequency', 'amplitude'].flatMap((name) => [name, 'commanded_' + name]));
+    this.drive = table(({base}) => base, 'time', ...Object.keys(COMMANDED).flatMap((name) => [name, 'commanded_' + name]));
     this.bins = {...table((readings) => readings, 'time', 'separation', 'quality', 'processed'), species: ofSpecies('left', 'right', 'on_base')};
     this.velocities = {time: this.bins.time, species: ofSpecies('mean_vx', 'mean_vx_stderr')};
   }

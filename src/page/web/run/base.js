@@ -23,7 +23,7 @@ class Base {
     const elapsed = time - states.time[k];
     const part = span > 0 ? elapsed / span : 0;
     const state = {};
-    for (const name of ['inclination', 'frequency', 'amplitude']) {
+    for (const name of Object.keys(COMMANDED)) {
       state[name] = states[name][k] + (states[name][next] - states[name][k]) * part;
       const commanded = states['commanded_' + name];
       state['commanded_' + name] = commanded[part >= 1 ? next : k];

@@ -42,8 +42,7 @@ class BinSeries {
 
 /** A kind with its size and mass. */
 function kindOf({name, radius, mass, varies}, k) {
-  const about = varies ? 'about ' : '';
-  return element('span', {}, marked(name, k), ` ${about}${quantity(1e3 * radius, 'mm', 3)}, ${quantity(1e3 * mass, 'g', 3)} `);
+  return element('span', {}, marked(name, k), ` ${varies ? 'about ' : ''}${shownText(radius, 'm', 3)}, ${shownText(mass, 'kg', 3)} `);
 }
 
 /** How well a machine sorts at a time, by the engine's own numbers. @param {BinSeries} bins @param {Object} velocities series */
@@ -59,13 +58,13 @@ function sortedText(time, bins, velocities, {species, fed}) {
   const row = lastNotAbove(velocities.time, time);
   const drifts = bins.areUsed || row < 0 ? [] : species.map(({name}, k) => [name, velocities.species[k].mean_vx[row]])
     .filter(([, mean]) => mean !== null).map(([name, mean]) =>
-      `${name} drifts ${quantity(1e3 * Math.abs(mean), 'mm/s', 2)} to the ${mean < 0 ? 'left' : 'right'}`);
+      `${name} drifts ${shownText(Math.abs(mean), 'm/s', 2)} to the ${mean < 0 ? 'left' : 'right'}`);
   return bins.areUsed ? left : drifts.join(', ') || 'no mean velocity yet';
 }
 
 /** The values at the present time: names, symbols and ids of their outputs. */
-const VALUES = [['sorted', 'Q', 'quality'], ['have left', 'P', 'processed'], ['inclination', '\u03b8', 'inclination'],
-  ['frequency', 'f', 'frequency'], ['amplitude', 'A', 'amplitude']];
+const VALUES = [['sorted', 'Q', 'quality'], ['have left', 'P', 'processed'],
+  ...Object.entries(COMMANDED).map(([name, [letter]]) => [name, letter, name])];
 
 const PLACE_TEXTS = {left: 'left bin', on_base: 'on the base', right: 'right bin'};
 const PLACES = Object.keys(PLACE_TEXTS);
@@ -96,9 +95,7 @@ class Readings {
     this.result.data = text;
     for (const name of ['quality', 'processed']) byId(name).value = ratio(this.bins.at(time, name));
     const state = this.base.stateAt(time);
-    byId('inclination').value = quantity(state.inclination, 'rad');
-    byId('frequency').value = quantity(state.frequency, 'Hz');
-    byId('amplitude').value = quantity(state.amplitude * 1e3, 'mm');
+    for (const [name, [, unit]] of Object.entries(COMMANDED)) byId(name).value = shownText(state[name], unit);
     if (!this.bins.areUsed) return;
     this.cells.forEach((cells, species) => PLACES.forEach((place, k) => {
       cells[k].textContent = quantity(this.bins.count(species, place, time), '', 15);

@@ -36,16 +36,16 @@ class PictureControls {
   }
 
   showWhole() {
-    this.picture.showWhole();
+    this.picture.view.showWhole();
     this.show();
   }
 
   follow(id) {
     this.picture.followed = id;
     byId('follow').value = id === null ? '' : String(id);
-    const disk = id === null ? null : this.picture.diskAt(this.timeNow(), (each) => each.id === id);
+    const disk = id === null ? null : this.picture.diskAt(this.timeNow(), id);
     byId('followed').value = id === null ? '' : !disk ? 'not in the machine at this time'
-      : `${this.picture.base.machine.species[disk.species].name}, radius ${quantity(disk.radius * 1e3, 'mm')}`;
+      : `${this.picture.base.machine.species[disk.species].name}, radius ${shownText(disk.radius, 'm')}`;
     this.show();
   }
 

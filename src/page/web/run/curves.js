@@ -1,5 +1,3 @@
-const MM = 1e3;  // per m
-
 /** The charts of a run, with one cursor and one mark of the present time. */
 class Curves {
   /** @param {function(number)} onClick @param {function(): number} timeNow */
@@ -98,34 +96,38 @@ class Curves {
 
   velocities() {
     const {time, species} = this.series.velocities;
+    const [unit, scale] = shownUnit('m/s');
     const series = [];
     const bands = [];
     const data = [time];
     species.forEach((each, k) => {
       const shifted = (sign) => each.mean_vx.map((mean, i) =>
-        mean === null || each.mean_vx_stderr[i] === null ? null : MM * (mean + sign * each.mean_vx_stderr[i]));
+        mean === null || each.mean_vx_stderr[i] === null ? null : scale * (mean + sign * each.mean_vx_stderr[i]));
       const colour = colourOf(k);
       const edge = {stroke: colour + '60', width: 0.5, class: 'edge'};
       series.push({label: this.names[k], stroke: colour, ...dashesOf(k)}, {...edge, label: this.names[k] + ' + error'},
         {...edge, label: this.names[k] + ' \u2212 error'});
-      data.push(each.mean_vx.map((mean) => mean === null ? null : MM * mean), shifted(1), shifted(-1));
+      data.push(each.mean_vx.map((mean) => mean === null ? null : scale * mean), shifted(1), shifted(-1));
       bands.push({series: [3 * k + 2, 3 * k + 3], fill: colour + '30'});
     });
     return {
       title: 'Mean velocity \u27e8V_x\u27e9 since the end of settle, and its standard error',
-      y: {label: 'mm/s', unit: 'mm/s'}, series, bands, data,
+      y: {label: unit, unit}, series, bands, data,
     };
   }
 
   /** Inclination, frequency and amplitude, each with its setpoint. */
   setpoints() {
     const drive = this.series.drive;
-    return [['inclination', '\u03b8', 'rad', 1], ['frequency', 'f', 'Hz', 1], ['amplitude', 'A', 'mm', MM]].map(([name, letter, unit, scale]) => ({
-      title: `${name[0].toUpperCase()}${name.slice(1)} ${letter} and its setpoint`,
-      y: {label: `${letter} [${unit}]`, unit},
-      series: [{label: letter, stroke: colourOf(0)}, Curves.stepped('setpoint', colourOf(1), {dash: [6, 4]})],
-      data: [drive.time, ...[drive[name], drive['commanded_' + name]].map((column) => column.map((value) => scale * value))],
-    }));
+    return Object.entries(COMMANDED).map(([name, [letter, of]]) => {
+      const [unit, scale] = shownUnit(of);
+      return {
+        title: `${name[0].toUpperCase()}${name.slice(1)} ${letter} and its setpoint`,
+        y: {label: `${letter} [${unit}]`, unit},
+        series: [{label: letter, stroke: colourOf(0)}, Curves.stepped('setpoint', colourOf(1), {dash: [6, 4]})],
+        data: [drive.time, ...[drive[name], drive['commanded_' + name]].map((column) => column.map((value) => scale * value))],
+      };
+    });
   }
 
   /** @param {string} what redraw, resize or remove */

@@ -14,17 +14,15 @@ class MachinePage {
       if (this.curves) this.curves.build();
       this.show();
     });
-    new ResizeObserver(() => {
-      if (!this.picture) return;
-      this.resize();
-      this.curves.all('resize');
-      this.show();
-    }).observe(byId('content'));
+    new ResizeObserver(() => this.fit()).observe(byId('content'));
   }
 
-  resize() {
-    this.picture.resize();
-    this.picture.cover(this.insets());
+  /** The window, the panel or the base has changed: the picture is to hold the machine. */
+  fit() {
+    if (!this.picture) return;
+    this.picture.layout(this.insets());
+    this.curves.all('resize');
+    this.show();
   }
 
   /** What covers the picture at its edges [pixels]. */
@@ -36,9 +34,7 @@ class MachinePage {
   showMachine(base, motion, bins, curves) {
     this.bins = bins;
     this.picture = new Picture(byId('machine'), base, motion, bins);
-    this.picture.resize();
-    this.picture.cover(this.insets());
-    this.picture.showFirst();
+    this.picture.layout(this.insets());
     if (this.controls) this.controls.picture = this.picture;
     else this.controls = new PictureControls(this.picture, () => this.player.time, () => this.show());
     this.values = new Readings(base, bins);

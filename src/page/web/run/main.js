@@ -22,7 +22,7 @@ class RunPage extends MachinePage {
     this.showMachine(base, motion, bins, new Curves(byId('curves'), run, series, span, bins.areUsed,
       (time) => this.player.seek(time), () => this.player.time));
     this.connectControls();
-    addEventListener('beforeprint', () => { byId('scene-details').open = true; });
+    addEventListener('beforeprint', () => { byId('scene').parentElement.open = true; });
     this.showPlayer();
     this.player.seek(motion.opening);
   }

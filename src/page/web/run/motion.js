@@ -12,35 +12,20 @@ const ROUNDING = 4;
 
 /** Reads columns of integers, one after the other: src/page/motion.h. */
 class ColumnReader {
-  constructor(bytes) {
-    this.bytes = bytes;
-    this.place = 0;
-  }
-
-  /** @return {Float64Array} the next column of doubles */
-  nextDoubles(rows) {
-    const column = new Float64Array(rows);
-    const bytes = new Uint8Array(column.buffer);
-    for (let plane = 0; plane < 8; ++plane)
-      for (let k = 0; k < rows; ++k) bytes[8 * k + plane] = this.bytes[this.place++];
-    return column;
-  }
+  constructor(bytes) { this.bytes = bytes; }
 
   /** @return {Int32Array} the next column, of so many rows */
   next(rows) {
     const column = new Int32Array(rows);
-    for (let plane = 0; plane < 4; ++plane) {
-      const shift = 8 * plane;
-      for (let k = 0; k < rows; ++k) column[k] |= this.bytes[this.place + k] << shift;
-      this.place += rows;
+    const [a, b, c, d] = [0, 1, 2, 3].map((k) => this.bytes.subarray(k * rows, (k + 1) * rows));
+    for (let k = 0; k < rows; ++k) {
+      const number = a[k] | b[k] << 8 | c[k] << 16 | d[k] << 24;
+      column[k] = (number >>> 1) ^ -(number & 1);
     }
-    for (let k = 0; k < rows; ++k) column[k] = (column[k] >>> 1) ^ -(column[k] & 1);
+    this.bytes = this.bytes.subarray(4 * rows);
     return column;
   }
 }
-
-/** The share of a time that has gone by; 1 of none. */
-function shareOf(elapsed, whole) { return whole > 0 ? elapsed / whole : 1; }
 
 /**
  * The disks over time. Positions in the world frame [m].
@@ -59,13 +44,13 @@ class Motion {
     this.gravity = base.machine.gravity;
     this.resolution = 2 * description.position_unit;
     this.meets = ROUNDING * description.position_unit;
-    this.readTracks(new ColumnReader(bytes), description);
+    this.times = new Float64Array(bytes.buffer, 0, description.frames);
+    this.readTracks(new ColumnReader(bytes.subarray(this.times.byteLength)), description);
     if (!this.times.length) this.times = Float64Array.from(span);
     this.listTracksOfFrames();
   }
 
   readTracks(columns, description) {
-    this.times = columns.nextDoubles(description.frames);
     const {tracks, states} = description;
     const next = (count, rows) => Array.from({length: count}, () => columns.next(rows));
     [this.ids, this.species, this.radii, this.firstFrames, this.lengths] = next(5, tracks);
@@ -179,7 +164,7 @@ class Motion {
     const endX = meet ? startX : x1 - u1 * arc, endY = meet ? startY : y1 - v1 * arc;
     const [since, until, fromX, fromY, toX, toY] = elapsed <= leaves ? [0, leaves, x0, y0, startX, startY]
       : elapsed < arrives ? [leaves, arrives, startX, startY, endX, endY] : [arrives, span, endX, endY, x1, y1];
-    const part = shareOf(elapsed - since, until - since);
+    const part = until > since ? (elapsed - since) / (until - since) : 1;
     place.x = fromX + (toX - fromX) * part;
     place.y = fromY + (toY - fromY) * part - 0.5 * g * elapsed * elapsed;
     this.turn(i, elapsed, span, 0.5 * (leaves + arrives), place);

@@ -36,15 +36,18 @@ function heapOf(disks, width) {
   return heap;
 }
 
+/** Of a length on the page, in those of the screen. */
+function inPixels(length) { return Math.round(length * devicePixelRatio); }
+
 /** The part of the world that the picture shows: pixels of the canvas, y downwards, and metres. */
 class View {
   /** @param {{left: number, right: number, low: number, high: number}} whole the whole machine [m] */
   constructor(whole) {
     this.whole = whole;
-    this.width = 1;
-    this.height = 1;
+    this.width = this.height = 1;
     this.insets = {left: 0, top: 0, right: 0, bottom: 0};  // covered by other things [pixels]
     this.showWhole();
+    this.isFirst = true;  // not chosen by the user
   }
 
   /** The middle of what is not covered, and its size [pixels]. */
@@ -108,25 +111,23 @@ class Picture {
 
   get binWidth() { return this.bins.areUsed ? BIN_WIDTH * this.base.width : 0; }
 
-  /** Says what else covers the canvas at its edges. */
-  cover(insets) {
-    this.view.insets = {...insets, bottom: insets.bottom + (this.bins.areUsed ? LABEL_ROOM : 0)};
-    if (this.view.isFirst) this.showFirst();
+  /** Fits canvas and view to the room and the machine as they are now. @param {Object} insets what covers the canvas at its edges [pixels] */
+  layout(insets) {
+    const {canvas, view} = this;
+    this.insets = insets;
+    view.insets = {...insets, bottom: insets.bottom + (this.bins.areUsed ? LABEL_ROOM : 0)};
+    view.whole = this.wholeMachine();
+    const {left, right, low, high} = view.whole;
+    const height = canvas.clientWidth * (high - low) / (right - left) + LABEL_ROOM;
+    if (!canvas.matches('.filling'))
+      canvas.style.height = `${Math.round(Math.min(0.6 * innerHeight, Math.max(LEAST_HEIGHT, height)))}px`;
+    [view.width, view.height] = [canvas.clientWidth, canvas.clientHeight];
+    [canvas.width, canvas.height] = [view.width, view.height].map(inPixels);
+    if (view.isFirst) this.showFirst();
+    else if (view.zoom === 1) view.showWhole();
   }
 
   fillBins() { this.heaps = this.bins.areUsed ? heapsOf(this.bins, this.base.machine.species, this.binWidth) : null; }
-
-  /** Makes the whole machine what it is now. */
-  fit() {
-    this.view.whole = this.wholeMachine();
-    if (this.view.isFirst) this.showFirst();
-    else if (this.view.zoom === 1) this.view.showWhole();
-  }
-
-  showWhole() {
-    this.view.zoom = 1;
-    this.fit();
-  }
 
   /** All that the base sweeps over and the disks above it, in the world. */
   wholeMachine() {
@@ -159,24 +160,11 @@ class Picture {
     this.view.isFirst = true;
   }
 
-  resize() {
-    const {left, right, low, high} = this.view.whole;
-    const height = this.canvas.clientWidth * (high - low) / (right - left) + LABEL_ROOM;
-    if (!this.canvas.matches('.filling'))
-      this.canvas.style.height = `${Math.round(Math.min(0.6 * innerHeight, Math.max(LEAST_HEIGHT, height)))}px`;
-    const {clientWidth, clientHeight} = this.canvas;
-    this.canvas.width = Math.round(clientWidth * devicePixelRatio);
-    this.canvas.height = Math.round(clientHeight * devicePixelRatio);
-    [this.view.width, this.view.height] = [clientWidth, clientHeight];
-    if (this.view.isFirst) this.showFirst();
-  }
-
   draw(time) {
-    const {clientWidth, clientHeight} = this.canvas;
-    const pixels = (length) => Math.round(length * devicePixelRatio);
-    if (this.canvas.width !== pixels(clientWidth) || this.canvas.height !== pixels(clientHeight)) this.resize();
+    const {width, height, clientWidth, clientHeight} = this.canvas;
+    if (width !== inPixels(clientWidth) || height !== inPixels(clientHeight)) this.layout(this.insets);
     const context = this.canvas.getContext('2d');
-    const ratio = this.canvas.width / Math.max(1, this.canvas.clientWidth);
+    const ratio = this.canvas.width / Math.max(1, clientWidth);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.fillStyle = themeColour('--ground');
     context.fillRect(0, 0, this.view.width, this.view.height);
@@ -234,7 +222,7 @@ class Picture {
     }
   }
 
-  /** What each bin holds, below it or, where it is out of the picture, at the edge. */
+  /** What each bin holds: below it; above it where it stands too low; in the corner where it is out of the picture. */
   drawLabels(context, pose, time) {
     context.font = '600 13px system-ui, sans-serif';
     context.textAlign = 'center';
@@ -245,8 +233,10 @@ class Picture {
       const lines = this.bins.labelOf(bin, time, this.base.machine.species);
       const half = 0.5 * Math.max(...lines.map(({text}) => context.measureText(text).width)) + 4;
       const {x, y} = this.view.toPixel(left + 0.5 * this.binWidth, low);
-      const {free} = this.view;
-      const [middle, top] = [[x, free.x, 0.5 * free.width - half], [y, free.y, 0.5 * free.height]]
+      const {free, scale} = this.view;
+      const isOut = x < 0 || x > this.view.width;
+      const above = y > free.y + 0.5 * free.height ? scale * this.binWidth + LABEL_ROOM : 0;
+      const [middle, top] = [[x, free.x, 0.5 * free.width - half], [isOut ? Infinity : y - above, free.y, 0.5 * free.height]]
         .map(([at, centre, reach]) => Math.min(centre + reach, Math.max(centre - reach, at)));
       lines.forEach(({text, species}, k) => {
         context.fillStyle = species === null ? themeColour('--text') : colourOf(species);
@@ -296,7 +286,7 @@ class Picture {
   }
 
   centreOnFollowed(time) {
-    const disk = this.diskAt(time, (each) => each.id === this.followed);
+    const disk = this.diskAt(time, this.followed);
     if (disk && this.view.zoom > 1.5) this.view.centre = [disk.x, disk.y];
   }
 
@@ -319,7 +309,7 @@ class Picture {
       context.stroke();
       context.globalAlpha = 1;
     }
-    const disk = this.diskAt(time, (each) => each.id === this.followed);
+    const disk = this.diskAt(time, this.followed);
     if (!disk) return;
     context.beginPath();
     context.arc(disk.x, disk.y, disk.radius + 4 / this.view.scale, 0, 2 * Math.PI);
@@ -335,7 +325,7 @@ class Picture {
     return disks;
   }
 
-  diskAt(time, condition) { return this.disksAt(time).find(condition) || null; }
+  diskAt(time, id) { return this.disksAt(time).find((disk) => disk.id === id) || null; }
 
   /** The disk at a pixel, or near it; null: there is none. */
   diskNear(time, x, y) {

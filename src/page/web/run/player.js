@@ -3,8 +3,6 @@ const SPEEDS = [0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
 
 const LONGEST_FRAME = 0.1;  // a pause of the browser, as of a hidden tab, is not caught up with [s]
 
-function speedText(speed) { return speed < 1 ? `1/${Math.round(1 / speed)}` : `${speed}\u00d7`; }
-
 /** The present time of a page, whether it goes on by play(), and how fast. */
 class Player {
   /** @param {Array} speeds to choose from: numbers, or a text @param {string} textOfOther what the text stands for */
@@ -15,7 +13,21 @@ class Player {
     this.speed = 1;
     this.onChange = () => {};
     byId('speed').append(...speeds.map((speed) => element('option', {value: String(speed)},
-      typeof speed === 'number' ? speedText(speed) : textOfOther)));
+      typeof speed !== 'number' ? textOfOther : speed < 1 ? `1/${Math.round(1 / speed)}` : `${speed}\u00d7`)));
+  }
+
+  /** Plays: a derived class has goOn(), which is called at each picture. */
+  play() {
+    if (this.playing) return;
+    this.playing = true;
+    this.before = null;
+    this.onChange();
+    const step = this.step = (now) => {
+      if (!this.playing || this.step !== step) return;
+      requestAnimationFrame(step);
+      this.goOn(now);
+    };
+    requestAnimationFrame(step);
   }
 
   pause() {
@@ -59,17 +71,13 @@ class RunPlayer extends Player {
   }
 
   play() {
-    if (this.playing) return;
     if (this.time >= this.end) this.seek(this.start);
-    this.playing = true;
-    this.onChange();
-    this.before = null;
-    const step = this.step = (now) => {
-      if (!this.playing || this.step !== step) return;
-      this.seek(this.time + this.speed * this.elapsedTo(now));
-      if (this.time >= this.end) this.pause(); else requestAnimationFrame(step);
-    };
-    requestAnimationFrame(step);
+    super.play();
+  }
+
+  goOn(now) {
+    this.seek(this.time + this.speed * this.elapsedTo(now));
+    if (this.time >= this.end) this.pause();
   }
 
   /** To the next recorded frame, or to the last one before. */

@@ -1,8 +1,3 @@
-/** In which unit a number of an SI unit is shown, and how many of it that is. */
-function shownUnit(unit) {
-  return {m: ['mm', 1e3], 'm/s': ['mm/s', 1e3], kg: ['g', 1e3], 'kg/s': ['g/s', 1e3]}[unit] || [unit, 1];
-}
-
 /** Both ends of a class, with as many decimals as tell them from what they are by less than a hundredth of its width. */
 function rangeText(from, to) {
   const isNear = (decimals) => [from, to].every((end) => Math.abs(Number(end.toFixed(decimals)) - end) < 0.01 * (to - from));
@@ -26,11 +21,9 @@ class Report {
   }
 
   show() {
-    document.title = `${this.run.title} \u2013 ratchet_sieve`;
-    byId('title').textContent = this.run.title;
-    const results = this.results;
-    byId('origin').textContent = `Ratchet sieve, ${quantity(results.start_time, '', 6)} s to ` +
-      `${quantity(results.simulated_time, 's', 6)}, seed ${this.run.scene.seed}, ratchet_sieve ${this.run.scene.version}`;
+    const {run, results} = this;
+    showHead(run.title, `${quantity(results.start_time, '', 6)} to ${quantity(results.simulated_time, 's', 6)}, ` +
+      `seed ${run.scene.seed}, ratchet_sieve ${run.scene.version}`);
     this.showResults();
     this.showCommands();
     this.showProvenance();
@@ -41,7 +34,7 @@ class Report {
     const by = results.species.some((species) => species.engine_mean_vx !== null) ? 'engine_' : '';
     const columns = [['species', (species, k) => marked(species.name, k)],
       ['disks', (species) => quantity(species.count, '', 15)],
-      ['\u27e8V_x\u27e9', (species) => withError(species[by + 'mean_vx'], species[by + 'mean_vx_stderr'], 'mm/s', MM)],
+      ['\u27e8V_x\u27e9', (species) => withError(species[by + 'mean_vx'], species[by + 'mean_vx_stderr'], 'mm/s', 1e3)],
       ['granular temperature', (species) => quantity(species.granular_temperature, 'J')]];
     if (this.hasBins) {
       for (const place of ['left', 'on_base', 'right'])
@@ -53,13 +46,12 @@ class Report {
     fillTable(byId('results'), columns.map(([name]) => name),
       results.species.map((species, k) => columns.map(([, cell]) => cell(species, k))));
     const whole = [['Q', ratio(results.quality)], ['P', ratio(results.processed)],
-      ...this.steadyRows(), ['short to long slope', ratio(results.short_to_long)], ['largest overlap', quantity(results.max_overlap, 'm')]];
+      ...this.steadyRows(), ['short to long slope', ratio(results.short_to_long)], ['largest overlap', shownText(results.max_overlap, 'm')]];
     if (results.collisions)
       whole.push(['contacts', Object.entries(results.collisions)
         .map(([kind, count]) => `${kind.replace('_', ' ')} ${count}`).join(', ')]);
     if (this.hasBins) whole.unshift(['separation s', ratio(results.separation)]);
-    byId('more-results').append(element('dl', {}, ...whole.flatMap(([name, text]) =>
-      [element('dt', {}, name), element('dd', {}, text)])));
+    byId('more-results').append(element('dl', {}, ...listOf(whole)));
     this.showObserved();
   }
 
@@ -82,21 +74,19 @@ class Report {
       if (shown.has(name)) continue;
       const title = wordsOf(name);
       byId('more-results').append(element('details', {}, element('summary', {}, title),
-        element('div', {class: 'table', tabindex: '0', role: 'group', 'aria-label': title}, Report.tree(value, this.run.units[name] || {}))));
+        scrolling(title, Report.tree(value, this.run.units[name] || {}))));
     }
   }
 
   /** Any value as nested lists and tables. @param {Object<string, string>} units by the names of numbers and columns */
   static tree(value, units, unit = '') {
-    const [shown, scale] = shownUnit(unit);
-    if (value === null || typeof value === 'number') return element('span', {}, quantity(value === null ? null : scale * value, shown));
+    if (value === null || typeof value === 'number') return element('span', {}, shownText(value, unit));
     if (typeof value !== 'object') return element('span', {}, String(value));
     if (Array.isArray(value)) return element('div', {}, ...value.map((each) => Report.tree(each, units, unit)));
     const columns = Object.values(value);
     if (columns.length && columns.every((column) => Array.isArray(column) && column.every((each) => typeof each !== 'object' || each === null)))
       return Report.columns(value, units);
-    return element('dl', {}, ...Object.entries(value).flatMap(([name, each]) =>
-      [element('dt', {}, wordsOf(name)), element('dd', {}, Report.tree(each, units, units[name]))]));
+    return element('dl', {}, ...listOf(Object.entries(value).map(([name, each]) => [wordsOf(name), Report.tree(each, units, units[name])])));
   }
 
   /** A table of columns; both ends of a class are one column, and so are a mean and its error. */
@@ -115,28 +105,21 @@ class Report {
   }
 
   showCommands() {
-    const commands = this.run.commands;
-    if (!commands.length) {
-      byId('commands-section').hidden = true;
-      return;
-    }
-    fillTable(byId('commands'), ['time', 'command'], commands.map((command) =>
-      [seconds(command.time), element('span', {}, command.text)]));
-    if (this.run.commands_taken > commands.length)
-      byId('commands-section').append(element('p', {class: 'note'},
-        `The first ${commands.length} of ${this.run.commands_taken} commands.`));
+    const {commands, commands_taken: taken} = this.run;
+    byId('commands-section').hidden = !commands.length;
+    fillTable(byId('commands'), ['time', 'command'], commands.map(({time, text}) => [seconds(time), text]));
+    if (taken > commands.length)
+      byId('commands-section').append(element('p', {class: 'note'}, `The first ${commands.length} of ${taken} commands.`));
   }
 
   showProvenance() {
     const {scene, warnings, motion} = this.run;
-    if (warnings.length)
-      byId('warnings').append(...warnings.map((warning) => element('p', {class: 'warning'}, 'Warning: ' + warning)));
+    byId('warnings').append(...warnings.map((warning) => element('p', {class: 'warning'}, 'Warning: ' + warning)));
     const entries = [['Scene hash', scene.hash], ['Seed', String(scene.seed)], ['Version', scene.version],
       ['Plan', this.run.plan], ['Shown', Report.thinningText(motion, this.times)]];
     if (this.results.not_recorded.length) entries.push(['Not recorded', this.results.not_recorded.join(', ')]);
-    byId('provenance').append(...entries.flatMap(([name, text]) => [element('dt', {}, name), element('dd', {}, text)]));
-    byId('scene').textContent = scene.yaml;
-    copyOnClick(byId('copy-scene'), () => this.run.scene.yaml, byId('scene'));
+    byId('provenance').append(...listOf(entries));
+    addScene(byId('provenance-section'), scene.yaml);
   }
 
   /** What is shown of the motion, and how. @param {number} end of the run */

@@ -40,7 +40,8 @@ class SweepCurves {
       padding: [null, report.y ? 58 : null, null, null],
       x: this.xOptions(),
       y: {label: report.labelOf(report.fields[field]), scale: {range: this.yRange()}},
-      series: this.shownRows.map((row, k) => ({label: this.names[k], stroke: this.colours[k], ...dashesIn(this.colours, k),
+      series: this.shownRows.map((row, k) => ({label: this.names[k], stroke: this.colours[k],
+        ...this.colours.indexOf(this.colours[k]) < k ? dashesOf(k) : {},
         value: (u, v, s, i) => i === null || i === undefined ? '' : this.textAt(i, row)})),
       data: [this.positions, ...this.shownRows.map((row) => this.positions.map((_, i) => {
         const mean = this.meanAt(i, row);
@@ -66,10 +67,7 @@ class SweepCurves {
   /** So that the error bars are within. */
   yRange() {
     const means = this.report.meansOf(this.field);
-    if (!means.length) return padded(null, null);
-    const low = means.reduce((least, mean) => Math.min(least, mean.value - (mean.error || 0)), Infinity);
-    const high = means.reduce((most, mean) => Math.max(most, mean.value + (mean.error || 0)), -Infinity);
-    return padded(low, high);
+    return padded(...rangeOf(means.flatMap(({value, error}) => [value - error, value + error])));
   }
 
   meanAt(column, row) {

@@ -4,9 +4,7 @@ class SweepPage {
     this.report = new SweepReport(data);
     this.field = 0;
     this.chosen = this.report.first;
-    document.title = data.title;
-    byId('title').textContent = data.title;
-    byId('origin').textContent = data.origin;
+    showHead(data.title, data.origin);
     byId('findings').append(...data.findings.map((line) =>
       element('p', line.startsWith('warning ') ? {class: 'warning'} : {}, line)));
     byId('content').hidden = false;

@@ -19,8 +19,7 @@ function scaleColour(scale, share) {
 class ColourScale {
   /** @param {Array<number>} values at least one */
   constructor(values) {
-    this.low = values.reduce((least, value) => Math.min(least, value), Infinity);
-    this.high = values.reduce((most, value) => Math.max(most, value), -Infinity);
+    [this.low, this.high] = rangeOf(values);
     const isSigned = this.low < 0 && this.high > 0;
     if (isSigned) {
       this.high = Math.max(-this.low, this.high);
@@ -41,9 +40,6 @@ function curveColours(values) {
   const [from, to] = matchMedia('screen and (prefers-color-scheme: dark)').matches ? [0.4, 1] : [0, 0.65];
   return values.map((_, k) => scaleColour(VIRIDIS, from + (to - from) * k / (values.length - 1)));
 }
-
-/** Of such a curve, where an earlier one has its colour. */
-function dashesIn(colours, k) { return colours.indexOf(colours[k]) < k ? dashesOf(k) : {}; }
 
 const DIGITS = 3;        // of the values beside the cells
 const LETTER = [8, 18];  // of such a value, wide and high [px]

@@ -48,7 +48,7 @@ class SweepReport {
   /** What is to be known of a field of a place besides its mean. */
   remarks(place, field) {
     const mean = place.means[field];
-    const runs = `${place.runs} ${place.runs === 1 ? 'run' : 'runs'}`;
+    const runs = countText(place.runs, 'run');
     const remarks = [mean && mean.count < place.runs ? `defined in ${mean.count} of ${runs}` : runs];
     if (this.isDoubtful(place, field)) remarks.push('Q not comparable');
     return remarks.join(', ');
