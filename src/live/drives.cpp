@@ -62,15 +62,15 @@ double Drives::nextTime() const
 
 void Drives::advanceTo(double time)
 {
-  for (auto& [settings, asked, lag, arrival, under_way, held] : drives_)
+  for (auto& [settings, asked, lag, settled_at, under_way, held] : drives_)
   {
     lag.advanceTo(time);
     for (; !under_way.empty() && under_way.front().first <= time; under_way.pop_front())
     {
       lag.input = under_way.front().second;
-      arrival = time + LENGTH_OF_LAG * lag.time_constant;
+      settled_at = time + LENGTH_OF_LAG * lag.time_constant;
     }
-    if (time >= arrival)
+    if (time >= settled_at)
       lag.output = lag.input;
   }
 }

@@ -375,7 +375,7 @@ void RunControl::tare(const std::string& name)
 {
   for (Sensor& sensor : sensors_)
     if (name == sensor.info().name)
-      sensor.tare();
+      sensor.tare(run_->time());
 }
 
 }  // namespace ratchet_sieve

@@ -70,19 +70,6 @@ void Sensor::count(const ExitRecord& exit)
   counts_[species] += 1.0;
 }
 
-double Sensor::onStretch(const Simulation& simulation) const
-{
-  const DriveState base = simulation.base();
-  double disks = 0.0;
-  simulation.forEachDisk(
-      [&](const DiskState& disk)
-      {
-        const double s = placeAlong(base, disk);
-        disks += s >= settings_.from && s <= settings_.to ? 1.0 : 0.0;
-      });
-  return disks;
-}
-
 double Sensor::noise()
 {
   if (settings_.noise == 0.0)
@@ -100,7 +87,15 @@ std::vector<double> Sensor::measured(const Simulation& simulation)
   if (info_.kind == SensorKind::COUNT)
     return counts_;
   if (info_.kind == SensorKind::LEVEL)
-    lag_.input = onStretch(simulation);
+  {
+    lag_.input = 0.0;
+    simulation.forEachDisk(
+        [&, base = simulation.base()](const DiskState& disk)
+        {
+          const double s = placeAlong(base, disk);
+          lag_.input += s >= settings_.from && s <= settings_.to ? 1.0 : 0.0;
+        });
+  }
   lag_.advanceTo(measureTime());
   return {inSteps(undisturbed() - tare_ + noise(), settings_.resolution)};
 }

@@ -145,8 +145,13 @@ TEST(Sensors, LagDriftFeelImpactsAndAreTared)
   const double impact = 4.0 * std::sqrt(0.1) / 2.0;
   EXPECT_NEAR(valueAt(0.0), impact, 1e-12);
   EXPECT_NEAR(valueAt(1.0), 4.0 + (impact - 4.0) * std::exp(-0.5) + 0.001, 1e-12);
-  scale.tare();
+  scale.tare(1.0);
   EXPECT_NEAR(valueAt(2.0), (impact - 4.0) * (std::exp(-1.0) - std::exp(-0.5)) + 0.001, 1e-12);
+  Sensor plain(0, {}, scene, 0.0);
+  plain.take(exit);
+  plain.tare(exit.time);
+  plain.read(simulation);
+  EXPECT_EQ(plain.sent().values[0], 0.0);
 }
 
 TEST(Sensors, MissAndConfuseDisks)

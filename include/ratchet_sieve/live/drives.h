@@ -45,7 +45,7 @@ private:
     DriveSettings settings;
     double asked;
     Lag lag;
-    double arrival = 0.0;                                  ///< when the lag is over [s]
+    double settled_at = 0.0;                               ///< when the lag is over [s]
     std::deque<std::pair<double, double>> under_way = {};  ///< arrivals [s] and setpoints, in the dead time
     std::optional<double> held = {};                       ///< what a fault gives the base
   };

@@ -65,8 +65,12 @@ public:
   /// Measures and sends what is due. @pre the simulation was not advanced beyond nextTime()
   void read(const Simulation& simulation, const SensorObserver& send = {});
 
-  /// What lies on a scale now counts as nothing.
-  void tare() { tare_ = undisturbed(); }
+  /// What lies on a scale now counts as nothing. @param time now [s]
+  void tare(double time)
+  {
+    lag_.advanceTo(time);
+    tare_ = undisturbed();
+  }
 
   /// What it can suffer: none; stuck (it repeats its last reading); dropout (it says nothing); nan.
   std::vector<std::string> faults() const;
@@ -78,7 +82,6 @@ private:
   double undisturbed() const;
   double noise();
   void count(const ExitRecord& exit);
-  double onStretch(const Simulation& simulation) const;
   double uniform() { return static_cast<double>(random_() >> 11) * 0x1.0p-53; }
 
   SensorInfo info_;

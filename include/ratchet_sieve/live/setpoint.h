@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -40,7 +41,7 @@ class SetpointInbox
 public:
   using Clock = std::chrono::steady_clock;
 
-  void put(Quantity quantity, double value) { newest_[indexOf(quantity)] = value; }
+  void put(Quantity quantity, double value) { newest_[quantity] = value; }
 
   /// Applies the waiting setpoints if they are due. @param wait false: at once, because no run is under way
   void deliver(bool wait, const std::function<void(Quantity, double)>& command,
@@ -50,8 +51,8 @@ public:
   static constexpr double SHARE = 0.1;
 
 private:
-  std::array<std::optional<double>, QUANTITIES> newest_;  ///< in the order of Quantity
-  Clock::time_point next_;                                ///< not before
+  std::map<Quantity, double> newest_;
+  Clock::time_point next_;  ///< not before
 };
 
 /// Limits the rate of log lines. The first line passes at once. Then one line passes per period: the newest,
