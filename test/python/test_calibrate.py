@@ -82,7 +82,7 @@ def test_intervals_hold_and_what_was_not_measured_is_left_open(monkeypatch):
 
     monkeypatch.setattr(sweeps, "sweep", swept)
     held = 0
-    for seed, truth in enumerate(np.random.default_rng(2).uniform(0.4, 0.99, 12)):
+    for seed, truth in enumerate(np.random.default_rng(2).uniform(0.4, 0.99, 8)):
         rows = [{THETA: angle, **of({E: truth, THETA: angle}, 10 ** 9 + 10 * seed + k)}
                 for k, angle in enumerate((0.0, 0.2))]
         grains = rs.calibrate(SCENE, {**UNKNOWN, MU: (0.1, 0.5)}, rows, progress=False)
@@ -90,7 +90,7 @@ def test_intervals_hold_and_what_was_not_measured_is_left_open(monkeypatch):
         assert grains.agrees and found.half_width < 0.2
         assert "friction" in str(grains) and "hardly more than was known before" in str(grains)
         held += abs(found.value - truth) <= found.half_width
-    assert held >= 9  # of 12, where 95 % hold on the average
+    assert held >= 6  # of 8, where 95 % hold on the average
 
 
 @pytest.mark.parametrize("measured, line", (

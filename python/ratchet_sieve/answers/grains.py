@@ -11,7 +11,7 @@ import pandas
 from ratchet_sieve.answers.answer import Interval
 from ratchet_sieve.answers.proposal import text_of
 from ratchet_sieve.answers.unknown import Unknown
-from ratchet_sieve.texts import counted
+from ratchet_sieve.texts import counted, shown
 from ratchet_sieve.values import Values
 
 LEVEL = 0.95
@@ -101,9 +101,9 @@ class Grains:
         for (first, x), (second, y) in itertools.combinations(self.draws.items(), 2):
             slope = -x.corr(y)
             if abs(slope) > TOGETHER:
-                slope = np.copysign(x.std() / y.std(), slope)
+                slope = float(f"{np.copysign(x.std() / y.std(), slope):.2g}")
                 found.append(f"{first} and {second} cannot be told apart by these measurements: of both only {first} "
-                             f"{'+' if slope > 0.0 else '−'} {abs(slope):.2g} {second} = {_interval(x + slope * y)}")
+                             f"{'+' if slope > 0.0 else '−'} {shown(abs(slope))} {second} = {_interval(x + slope * y)}")
         return found
 
     def plot(self) -> Any:
