@@ -93,7 +93,7 @@ def measure(name, feeders, results):
             within += name == SEPARATED and is_within_spread(scene, grains, truth)
 
     def of_each(text):
-        return "—" if hidden or not found else ", ".join(
+        return "—" if not found else ", ".join(
             f"{SYMBOLS[key.rpartition('.')[2]]} {text(of_key)}" for key, of_key in zip(unknown, zip(*found)))
 
     return {"truths": f"{feeders}", "agree": f"{len(found)}", "cost": f"{cost:.2g}",

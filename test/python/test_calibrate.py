@@ -12,7 +12,6 @@ from conftest import program
 from feeder import THETA
 from ratchet_sieve import sweeps
 from ratchet_sieve.answers.measured import Measured
-from ratchet_sieve.answers.unknown import Unknown
 
 E, MU = "species.0.restitution", "species.0.friction"
 SCENE = {"base": {"teeth": 8, "frequency": 20.0}, "boundary": "open", "feed": {"rate": 40.0}, "duration": 4.0,
@@ -56,7 +55,7 @@ def test_threads_and_a_file_of_runs_change_nothing(grains, rows, tmp_path):
     file = tmp_path / "rows.csv"
     pandas.DataFrame(rows).to_csv(file, index=False)
     again = rs.calibrate(SCENE, UNKNOWN, file, threads=1, results=tmp_path / "runs.db", progress=False)
-    assert (again.draws == grains.draws).all()
+    assert again.draws.equals(grains.draws)
 
 
 def test_what_no_coefficients_explain_is_refused(rows):
@@ -83,7 +82,7 @@ def test_intervals_hold_and_what_was_not_measured_is_left_open(monkeypatch):
 
     monkeypatch.setattr(sweeps, "sweep", swept)
     held = 0
-    for seed, truth in enumerate(np.random.default_rng(2).uniform(0.4, 0.99, 12)):
+    for seed, truth in enumerate(np.random.default_rng(2).uniform(0.4, 0.99, 8)):
         rows = [{THETA: angle, **of({E: truth, THETA: angle}, 10 ** 9 + 10 * seed + k)}
                 for k, angle in enumerate((0.0, 0.2))]
         grains = rs.calibrate(SCENE, {**UNKNOWN, MU: (0.1, 0.5)}, rows, progress=False)
@@ -91,7 +90,7 @@ def test_intervals_hold_and_what_was_not_measured_is_left_open(monkeypatch):
         assert grains.agrees and found.half_width < 0.2
         assert "friction" in str(grains) and "hardly more than was known before" in str(grains)
         held += abs(found.value - truth) <= found.half_width
-    assert held >= 9  # of 12, where 95 % hold on the average
+    assert held >= 6  # of 8, where 95 % hold on the average
 
 
 @pytest.mark.parametrize("measured, line", (
@@ -139,6 +138,5 @@ def test_a_bag_has_its_last_counts(tmp_path):
 
 def test_two_that_count_alike_cannot_be_told_apart(grains):
     both = np.random.default_rng(1).normal(size=500)
-    pair = dataclasses.replace(grains, prior=Unknown([E, MU], grains.prior.table), draws=np.column_stack([0.8 + 0.05 * both, 0.3 - 0.1 * both]))
-    assert f"{E} and {MU} cannot be told apart by these measurements: of both only {E} + 0.5 {MU} = 0.95" in \
-        pair._together()[0]
+    pair = dataclasses.replace(grains, draws=pandas.DataFrame({E: 0.8 + 0.05 * both, MU: 0.3 - 0.1 * both}))
+    assert f"of both only {E} + 0.5 {MU} = 0.95" in pair._together()[0]

@@ -10,7 +10,7 @@ from ratchet_sieve.answers.__main__ import read_unknown
 from ratchet_sieve.answers.depends import SCREENED, Dependence, known_text, screening
 from ratchet_sieve.answers.machine import Machine
 from ratchet_sieve.answers.posterior import drawn
-from ratchet_sieve.answers.unknown import ROWS, Prior, Unknown
+from ratchet_sieve.answers.unknown import Prior
 
 E0, E1, MU = "species.0.restitution", "species.1.restitution", "species.0.friction"
 
@@ -134,11 +134,3 @@ def test_draws_are_those_of_a_density():
     assert np.cov(places.T) == pytest.approx(np.array([[4e-4, 3.2e-4], [3.2e-4, 3.56e-4]]), rel=0.1)
     flat, _ = drawn(lambda places: np.zeros(len(places)), 3, 3000, 2)
     assert flat.std(axis=0) == pytest.approx(1 / 12 ** 0.5, rel=0.05)
-    again, _ = drawn(log_density, 2, 4000, 1)
-    assert (again == places).all()
-
-
-def test_a_table_of_draws_is_used_row_by_row():
-    unknown = Unknown([E0], np.array([[0.1], [0.2], [0.3]]))
-    assert [unknown.draw(seed)[E0] for seed in (0, 1, 2, 3)] == [0.1, 0.2, 0.3, 0.1]
-    assert len(Prior(rs.Scene(SCENE), {E0: (0.1, 0.2)}).table) == ROWS

@@ -61,8 +61,7 @@ def calibrate(scene: AnyScene, unknown: Mapping[str, Any], measured: Any, *, ove
         search.run(spread(len(search.keys), FIRST * len(search.keys), seed), range(len(search.data.settings)))
         for k in range(MOST_ROUNDS + 1):
             search.fit()
-            bar.show(0.2 + 0.8 * k / MOST_ROUNDS, f"{search.runs} runs, the surfaces add {search.added.max():.2g} of the "
-                                                  "errors")
+            bar.show(0.2 + 0.8 * k / MOST_ROUNDS, f"{search.runs} runs: surfaces add {search.added.max():.2g} of errors")
             unsure = {number.row for number, added in zip(search.data.numbers, search.added) if added > SURE}
             if not unsure or k == MOST_ROUNDS or k >= REFUSED_AFTER and not search.agrees:
                 break
@@ -171,8 +170,9 @@ class Calibration:
             "computed": self._computed.mean(axis=1), "computed_error": np.sqrt(self._variances.mean(axis=1)),
             "chi_squared": self.parts})
         following = proposed(self, over) if over and self.agrees else None
-        cost = Values(runs=self.runs, simulated=self.simulated,
-                      processor=time.process_time() - clocks[1], seconds=time.monotonic() - clocks[0])
-        return Grains(base=self.scene, prior=self.prior, draws=self.prior.values(self.draws),
-                      best=self.prior.values(self.best[None])[0], settings=self.data.settings, table=table,
-                      agrees=self.agrees, added=float(self.added.max()), cost=cost, next_measurement=following)
+        cost = Values(runs=self.runs, simulated=self.simulated, processor=time.process_time() - clocks[1],
+                      seconds=time.monotonic() - clocks[0])
+        return Grains(base=self.scene, prior=self.prior, settings=self.data.settings, table=table, agrees=self.agrees,
+                      draws=pandas.DataFrame(self.prior.values(self.draws), columns=self.keys),
+                      best=self.prior.settings(self.prior.values(self.best[None])[0]),
+                      added=float(self.added.max()), cost=cost, next_measurement=following)

@@ -11,7 +11,7 @@ import pandas
 from ratchet_sieve.answers.answer import Interval
 from ratchet_sieve.answers.proposal import text_of
 from ratchet_sieve.answers.unknown import Unknown
-from ratchet_sieve.texts import counted
+from ratchet_sieve.texts import counted, shown
 from ratchet_sieve.values import Values
 
 LEVEL = 0.95
@@ -29,7 +29,8 @@ class Grains:
     chi_squared  of the measured numbers, at the best coefficients
     table        DataFrame: of each measured number its row, what it is, as measured with its standard error, and as
                  computed with the surface's, and its part of chi_squared
-    draws        (n, keys): values, each row as likely as another
+    draws        DataFrame: values of the keys, each row as likely as another
+    best         the likeliest values
     added        what the surfaces add to the errors of the measurements at most, as a share of these
     next_measurement  the setting that would narrow the intervals most: .setting, and .errors, of each key over what it
                  is now; None where `over` was not given, or nothing agrees
@@ -38,8 +39,8 @@ class Grains:
 
     base: Any
     prior: Unknown
-    draws: np.ndarray
-    best: np.ndarray
+    draws: pandas.DataFrame
+    best: dict
     settings: list
     table: pandas.DataFrame
     agrees: bool
@@ -49,7 +50,7 @@ class Grains:
 
     @property
     def keys(self) -> list[str]:
-        return self.prior.keys
+        return list(self.draws)
 
     @property
     def chi_squared(self) -> float:
@@ -57,26 +58,19 @@ class Grains:
 
     def __getitem__(self, key: str) -> Interval:
         """Raises KeyError."""
-        if key not in self.keys:
-            raise KeyError(key)
-        k = self.keys.index(key)
-        return _interval(self.draws[:, k]) if self.agrees else Interval(float(self.best[k]), None, 0)
+        return _interval(self.draws[key]) if self.agrees else Interval(self.best[key], None, 0)
 
     @property
     def scene(self) -> Any:
         """With the mean of each key; where nothing agrees with the best one."""
-        return self.base.replace(self.prior.settings(self.draws.mean(axis=0) if self.agrees else self.best))
+        return self.base.replace(self.unknown.middle if self.agrees else self.best)
 
     @property
     def unknown(self) -> Unknown:
         """What is left unknown. Raises ValueError where nothing agrees."""
         if not self.agrees:
             raise ValueError(f"grains: {self._agreement()}: nothing can be computed from them")
-        return Unknown(self.keys, self.draws)
-
-    @property
-    def correlations(self) -> pandas.DataFrame:
-        return pandas.DataFrame(self.draws, columns=self.keys).corr()
+        return Unknown(self.keys, self.draws.to_numpy())
 
     def __str__(self) -> str:
         lines = []
@@ -104,14 +98,12 @@ class Grains:
     def _together(self) -> list[str]:
         """Of pairs that are known together only, what is known of both."""
         found = []
-        for i, j in itertools.combinations(range(len(self.keys)), 2):
-            x, y = self.draws[:, i], self.draws[:, j]
-            slope = -np.corrcoef(x, y)[0, 1]
+        for (first, x), (second, y) in itertools.combinations(self.draws.items(), 2):
+            slope = -x.corr(y)
             if abs(slope) > TOGETHER:
-                slope = np.copysign(x.std() / y.std(), slope)
-                found.append(f"{self.keys[i]} and {self.keys[j]} cannot be told apart by these measurements: of both "
-                             f"only {self.keys[i]} {'+' if slope > 0.0 else '−'} {abs(slope):.2g} {self.keys[j]} = "
-                             f"{_interval(x + slope * y)}")
+                slope = float(f"{np.copysign(x.std() / y.std(), slope):.2g}")
+                found.append(f"{first} and {second} cannot be told apart by these measurements: of both only {first} "
+                             f"{'+' if slope > 0.0 else '−'} {shown(abs(slope))} {second} = {_interval(x + slope * y)}")
         return found
 
     def plot(self) -> Any:

@@ -28,7 +28,7 @@ def draw(grains):
 
 def _pair(axes, grains, row, column):
     """The two keys' draws within what was known before; of one key their density."""
-    x, y = grains.draws[:, column], grains.draws[:, row]
+    x, y = grains.draws.iloc[:, column], grains.draws.iloc[:, row]
     before = grains.prior.table
     axes.set_xlim(before[:, column].min(), before[:, column].max())
     axes.xaxis.set_major_locator(MaxNLocator(2))
