@@ -37,7 +37,8 @@ def test_scenes_have_the_titles_of_their_files(scene, engine, tmp_path):
     engine.write_bytes(b"\0asm")
     (tmp_path / "titled.yaml").write_text(f"# Two kinds: one sees them part.\n{scene.yaml}")
     offered = offered_by(rs.live(tmp_path / "titled.yaml", scene), tmp_path / "live.html")
-    assert [(each["title"], each["sentence"]) for each in offered] == [("Two kinds", "One sees them part."), ("scene", "")]
+    headings = [(each["title"], each["sentence"]) for each in offered]
+    assert headings == [("Two kinds", "One sees them part."), ("scene", "")]
     for name in pages.OFFERED:
         title, sentence = pages.heading(rs.Scene.load(pages.SHARE / f"config/{name}.yaml"), "")
         assert 4 < len(title) < 40 and sentence.endswith("."), name

@@ -42,7 +42,8 @@ function showHead(title, origin, result = '') {
 
 /** Adds a scene, to be copied. */
 function addScene(parent, yaml) {
-  const [copy, text] = [element('button', {id: 'copy-scene', type: 'button'}, 'Copy the scene'), element('pre', {id: 'scene', tabindex: '0', 'aria-label': 'Scene'}, yaml)];
+  const copy = element('button', {id: 'copy-scene', type: 'button'}, 'Copy the scene');
+  const text = element('pre', {id: 'scene', tabindex: '0', 'aria-label': 'Scene'}, yaml);
   copyOnClick(copy, () => yaml, text);
   parent.append(element('details', {}, element('summary', {}, 'Scene'), copy, text));
 }
