@@ -107,7 +107,7 @@ def main():
     table.to_csv(options.out / "data/control.csv", index=False, float_format="%.4g")
     plots.save(draw(table), options.out / "images/control.png", svg=False, bbox_inches="tight")
     about = wrapped(f"[control.csv](data/control.csv): means of {options.machines} machines of {SLICES} slices "
-                    f"each. {origin.text()}.")
+                    f"each, over {EPISODE:g} s: what takes as long does not settle. {origin.text()}.")
     documents.put(page, MARK, f"![Overshoot and time to settle over the delay](images/control.png)\n\n{about}")
 
 
