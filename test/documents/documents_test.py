@@ -2,7 +2,7 @@
 """Runs the commands of the documents as they are written, and sees that the programs, options, files and keys
 of a scene that they name are there.
 
-Usage: documents_test.py DEVEL_SPACE [Documents | PagesWithRviz]; needs the groups base, rviz, optimise, tests and all of scripts/packages.txt.
+Usage: documents_test.py DEVEL_SPACE [Documents | PagesWithRviz | PagesWithAnswers]; needs the groups base, rviz, optimise, tests and all of scripts/packages.txt.
 """
 
 import re
@@ -26,6 +26,7 @@ MADE = {'controller.py', 'fig9.yaml', 'statistics.csv'}
 FRAMES = ['sieve_mount', 'sieve_base', 'sieve_world']
 OPTIONS_OF_OTHERS = {'--skip-keys'}
 WITH_RVIZ = {'node.md'}
+WITH_ANSWERS = {'README.md', 'calibrate.md', 'separate.md', 'tutorial.md'}  # searches of a minute
 
 
 class InSession(unittest.TestCase):
@@ -124,10 +125,17 @@ class PagesWithRviz(InSession):
                 self.go_through(document)
 
 
+class PagesWithAnswers(InSession):
+    def test_commands_work_as_written(self):
+        for document in DOCUMENTS:
+            if document.name in WITH_ANSWERS:
+                self.go_through(document)
+
+
 class Documents(InSession):
     def test_commands_work_as_written(self):
         for document in DOCUMENTS:
-            if document.name not in WITH_RVIZ:
+            if document.name not in WITH_RVIZ | WITH_ANSWERS:
                 self.go_through(document)
 
     def test_pages_with_rviz_are_known(self):
