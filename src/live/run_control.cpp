@@ -348,23 +348,23 @@ void RunControl::command(Quantity quantity, double value)
 Outcome RunControl::fault(const std::string& part, const std::string& fault)
 {
   std::vector<std::string> parts, faults;
-  const auto isPart = [&](const std::string& name) { return parts.emplace_back(name) == part; };
+  const auto is_part = [&](const std::string& name) { return parts.emplace_back(name) == part; };
   std::function<void()> set;
   for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-    if (isPart(q.name))
+    if (is_part(q.name))
     {
       faults = Drives::faults(q.quantity);
       set = [&] { drives_->setFault(q.quantity, fault, run_->simulation().base().*q.applied); };
     }
   for (Sensor& sensor : sensors_)
-    if (isPart(sensor.info().name))
+    if (is_part(sensor.info().name))
     {
       faults = sensor.faults();
       set = [&] { sensor.setFault(fault); };
     }
-  if (const Outcome known = oneOf("part", part, parts); !known.success)
+  if (Outcome known = oneOf("part", part, parts); !known.success)
     return known;
-  if (const Outcome known = oneOf("fault", fault, faults); !known.success)
+  if (Outcome known = oneOf("fault", fault, faults); !known.success)
     return known;
   set();
   followDrives();

@@ -115,7 +115,7 @@ void TopicPublisher::publish(const ExitRecord& exit)
 void TopicPublisher::publish(const Sensor& sensor, const Reading& reading)
 {
   const Simulation& simulation = current_().simulation();
-  const auto sendAs = [&](auto message, const auto& fill)
+  const auto send_as = [&](auto message, const auto& fill)
   {
     message.header.stamp = ros::Time(reading.time);
     message.header.frame_id = frames_.world;
@@ -129,24 +129,24 @@ void TopicPublisher::publish(const Sensor& sensor, const Reading& reading)
   switch (sensor.info().kind)
   {
     case SensorKind::SCALE:
-      return sendAs(
+      return send_as(
           geometry_msgs::WrenchStamped(), [&](auto& message)
           { message.wrench.force.z = 0.0 - reading.values[0] * simulation.scene().gravity; });  // no -0.0
     case SensorKind::COUNT:
-      return sendAs(DiskCounts(),
-                    [&](auto& message)
-                    {
-                      message.time = reading.time;
-                      message.species = speciesNames(simulation.scene());
-                      message.count.assign(reading.values.begin(), reading.values.end());
-                    });
+      return send_as(DiskCounts(),
+                     [&](auto& message)
+                     {
+                       message.time = reading.time;
+                       message.species = speciesNames(simulation.scene());
+                       message.count.assign(reading.values.begin(), reading.values.end());
+                     });
     default:
-      return sendAs(DeckLevel(),
-                    [&](auto& message)
-                    {
-                      message.time = reading.time;
-                      message.level = reading.values[0];
-                    });
+      return send_as(DeckLevel(),
+                     [&](auto& message)
+                     {
+                       message.time = reading.time;
+                       message.level = reading.values[0];
+                     });
   }
 }
 
