@@ -57,9 +57,15 @@ TEST(ProgressBar, FitsItsTerminal)
   dup2(screen, STDERR_FILENO);
   ProgressBar().show(std::string(100, 'x'));
   dup2(errors, STDERR_FILENO);
-  char text[200] = "";
-  EXPECT_GT(read(terminal, text, sizeof text - 1), 0);
-  EXPECT_EQ(std::string(text), "\r" + std::string(39, 'x') + "\x1b[K\r\x1b[K");
+  const std::string expected = "\r" + std::string(39, 'x') + "\x1b[K\r\x1b[K";
+  std::string text(expected.size(), ' ');
+  for (std::size_t size = 0; size < text.size();)
+  {
+    const ssize_t count = read(terminal, &text[size], text.size() - size);
+    ASSERT_GT(count, 0);
+    size += static_cast<std::size_t>(count);
+  }
+  EXPECT_EQ(text, expected);
   for (const int descriptor : {terminal, screen, errors})
     close(descriptor);
 }

@@ -201,7 +201,7 @@ class OverSsh(ManyMachinesTest):
             os.makedirs('/run/sshd', exist_ok=True)
         subprocess.run(['ssh-keygen', '-q', '-t', 'ed25519', '-N', '', '-f', self.directory / 'key'], check=True)
         self.hosts = [self.host(name) for name in ('host1', 'host2')]
-        commands, self.merge = recipe('On many machines over ssh')
+        commands, self.merge = recipe('On many computers over ssh')
         self.run_parts = commands.split('\n', 1)[1]
         (self.directory / 'hosts').write_text(
             ''.join(f'1//usr/bin/ssh -F {self.directory}/ssh {name}\n' for name in ('host1', 'host2')))
