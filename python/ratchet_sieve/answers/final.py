@@ -23,7 +23,7 @@ PER_KEY = 8         # fresh runs for each unknown key, at least
 FEWER_FRESH = (FRESH, 8, 6, 4)  # of them, as the budget has it
 AFFORDABLE = 0.9    # of what is left of the budget: the runs differ in cost
 LEAST_PART = 0.1    # of the shortest run
-MOST_FILLING = 0.08  # of the fresh runs, so that of the first twelve none does: else the machine is metastable
+MOST_FILLING = 0.1  # of the fresh runs, of twice the length: where more fill up the machine is metastable at best
 AFTER_INTERRUPT, OF_INTERRUPTED = 2.0, 0.1  # for fresh runs after an interrupt: [s], and of the time so far
 INTERRUPTED = "interrupted: the answer so far; the same call with the same results continues"
 EDGE = 0.02         # of a range: nearer to its end than this is at its edge
@@ -157,8 +157,10 @@ def _fresh_runs(search, bar, fresh, notes):
         rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(runs, length)], ignore_index=True)
         seen = machine.observed(rows) if len(rows) else None
         works = 0 if seen is None else seen["value"].notna().sum()
+        # A fluctuation looks like a machine that fills up: longer runs tell.
+        filling = max(MOST_FILLING * len(rows), 1) if longer else 0
         if seen is not None and not search.is_late() and (works < max(LEAST_WORKING * len(rows), 2) or
-                                                          fills(seen) > MOST_FILLING * len(rows)):
+                                                          fills(seen) > filling):
             fresh.rows = pandas.DataFrame()
             if seen["open"].any() and not longer:
                 length, longer = 2.0 * length, True
