@@ -47,9 +47,8 @@ void Averages::eachRow(std::uint32_t slot, const Function& function) const
   const Disk& disk = system_.disk(slot);
   const std::size_t species = system_.scene().species.size();
   function(disk.species);
-  if (first_group_ > species)
-    if (const std::size_t row = species + system_.sizeClassOf(disk); row < first_group_)
-      function(row);
+  if (const std::size_t row = species + system_.sizeClassOf(disk); row < first_group_)
+    function(row);
   if (hasGroups())
     function(first_group_ + disk.species * GROUPS + system_.id(slot) % GROUPS);
 }
