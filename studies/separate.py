@@ -24,6 +24,7 @@ THETA, F = "base.inclination", "base.frequency"
 RANGES = {THETA: (0.0, 0.35), F: (15, 48)}
 FRESH = 900_000_000  # first seed of the reference, of which no search knows
 GRID = {THETA: 15, F: 12}
+GRID_SEEDS = 10_000  # between the seeds of its rounds
 COLUMNS = {"seeds": "seeds", "cost": "median [s]", "most": "most [s]", "separated": "separated", "near": "within 0.02",
            "held": "held", "lost": "mean loss"}
 STAGE = {THETA: 0.25, F: 18.0, "duration": 300.0}  # of each of two stages of glass and rubber
@@ -51,22 +52,25 @@ def problems():
     }
 
 
-def reference(scene, settings, duration, seeds):
+def reference(scene, settings, duration, seeds, first=FRESH):
     """The separation at some settings, of a fed machine once it has filled, by long runs with fresh seeds."""
     keys = {} if duration is None else {"duration": duration}
-    rows = rs.sweep(scene.replace(keys), cases=settings, seeds=(FRESH, seeds), progress=False)
+    rows = rs.sweep(scene.replace(keys), cases=settings, seeds=(first, seeds), progress=False)
     values = rows.get("steady.separation.value" if scene["feed.rate"] > 0.0 else "separation")
     return [stats.mean_of(part.dropna()) for part in np.array_split(values, len(settings))]
 
 
 def best_of_grid(scene, over, is_fed):
-    """The highest |s| of a dense grid: its five highest places again, by other seeds."""
+    """|s| at the best place of a dense grid: its five highest are run again, and the highest of these once more, each
+    time with seeds that did not choose it."""
     axes = [np.linspace(*over[key], GRID[key] if len(over) > 1 else 61).round(4) for key in over]
     places = [dict(zip(over, map(float, place))) for place in np.stack(np.meshgrid(*axes), -1).reshape(-1, len(over))]
-    means = reference(scene, places, 300.0 if is_fed else None, 4)
-    order = sorted(range(len(places)), key=lambda k: -abs(means[k].value) if means[k] else 0.0)[:5]
-    again = reference(scene, [places[k] for k in order], 600.0 if is_fed else None, 12 if is_fed else 40)
-    return max(abs(mean.value) for mean in again if mean)
+    length, runs = (600.0, 12) if is_fed else (None, 40)
+    for first, kept, duration, seeds in ((1, 5, length and 0.5 * length, 4), (2, 1, length, runs)):
+        means = reference(scene, places, duration, seeds, FRESH + first * GRID_SEEDS)
+        order = sorted(range(len(places)), key=lambda k: -abs(means[k].value) if means[k] else 0.0)
+        places = [places[k] for k in order[:kept]]
+    return abs(reference(scene, places, length, 2 * runs, FRESH + 3 * GRID_SEEDS)[0].value)
 
 
 def halving(scene, over, seed):

@@ -97,6 +97,17 @@ def test_shares_of_the_variance_are_those_of_a_linear_result():
     assert "on the rest less than 5 % each" in "\n".join(found.lines(""))
 
 
+@pytest.mark.parametrize("effect", (0.0, 0.1, 1.0))
+def test_the_spread_holds_the_true_grains_however_few_the_runs(effect):
+    unknown, held = Prior(rs.Scene(SCENE), {E0: (0.5, 0.9), E1: (0.5, 0.9), MU: (0.1, 0.5)}), 0
+    for seed in range(200):
+        drawn = np.random.default_rng(seed)
+        draws, truth = unknown.table[40 * seed % 4000:][:24], drawn.choice(unknown.table)
+        low, high = Dependence(unknown, draws, effect * draws[:, 0] + drawn.normal(0.0, 0.05, 24)).spread
+        held += low <= effect * truth[0] <= high
+    assert held >= 180  # of 200, where 95 % hold on the average
+
+
 def test_where_runs_tell_nothing_it_is_said_so():
     unknown = Prior(rs.Scene(SCENE), {E0: (0.5, 0.9), E1: (0.5, 0.9)})
     seen = [Dependence(unknown, unknown.table[:20], np.random.default_rng(seed).normal(size=20)).table is not None

@@ -54,8 +54,10 @@ class Answer:
     purity, recovery  .left.number.A and so on; None in a closed machine
     floor       what changes with half of contact.min_rebound_speed: .from, .to [m/s], .change, .depends; None: not
                 checked
-    spread      (low, high) of the value for 95 % of what `unknown` leaves open; None: not told, or nothing is
-    depends_on  DataFrame: of each unknown `key` its `share` of that variance, with the standard `error`; None as above
+    spread      (low, high) of the value for 95 % of what `unknown` leaves open, with the error of what the runs say;
+                None: too few runs, or nothing is unknown
+    depends_on  DataFrame: of each unknown `key` its `share` of that variance, with the standard `error`; None: no
+                dependence is seen
     known       without `unknown`: a line on what is taken as known, and on which two keys it depends most
     warnings    texts: what was cut short, a setting at the end of its range, warnings of the runs
     cost        runs, simulated [s], processor [s] and seconds [s of wall time], both of this call; `announced` before

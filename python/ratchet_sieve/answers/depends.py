@@ -22,8 +22,9 @@ SIGNIFICANT = 2.0  # standard errors of an effect that is named
 
 
 class Dependence:
-    """@ivar spread (low, high) of 95 % of the grains, at a setting @ivar table a row for each key: its `share` of the
-    variance, alone, with the standard `error`; None: the runs are too few to tell @ivar explained R² of the runs"""
+    """@ivar spread (low, high) of 95 % of the grains, at a setting, with the error of what the runs say; None: too few
+    runs @ivar table a row for each key: its `share` of the variance, alone, with the standard `error`; None: no
+    dependence is seen @ivar explained R² of the runs"""
 
     def __init__(self, unknown: Unknown, draws: np.ndarray, values: np.ndarray):
         """@param draws (n, d) of the keys, of each run @param values (n,)"""
@@ -41,11 +42,12 @@ class Dependence:
         covariance = np.cov(grains.T, ddof=0).reshape(keys, keys)
         noise = float(np.trace(covariance @ inverse[1:, 1:])) * residual  # what errors of the slopes add
         variance = float(slopes[1:] @ covariance @ slopes[1:])
+        shrink = np.sqrt(max(1.0 - noise / max(variance, 1e-300), 0.0))
+        low, high = np.quantile(shrink * grains @ slopes[1:], [0.025, 0.975])
+        error = special.stdtrit(freedom, 0.975) * np.sqrt(residual * inverse[0, 0] + noise)
+        self.spread = float(slopes[0] - np.hypot(low, error)), float(slopes[0] + np.hypot(high, error))
         if special.fdtrc(keys, freedom, variance / max(noise, 1e-300)) > SURE:
             return
-        shrink = np.sqrt(max(1.0 - noise / variance, 0.0))
-        predicted = slopes[0] + shrink * grains @ slopes[1:]
-        self.spread = tuple(float(end) for end in np.quantile(predicted, [0.025, 0.975]))
         alone = covariance @ slopes[1:]
         shares = np.maximum(alone ** 2 - errors ** 2, 0.0) / max(variance - noise, 1e-300)
         self.table = pandas.DataFrame({"key": unknown.keys, "share": np.minimum(shares, 1.0),
@@ -53,12 +55,15 @@ class Dependence:
             .sort_values("share", ascending=False, ignore_index=True)
 
     def lines(self, unit: str) -> list[str]:
+        lines = []
+        if self.spread:
+            low, high = (_rounded(end, self.spread[1] - self.spread[0]) for end in self.spread)
+            lines.append(f"{low} to {high}{unit} for 95 % of the grains that it may be")
         if self.table is None:
-            return ["on what is unknown no dependence is seen: more runs, or a smaller `within`, may tell"]
-        low, high = (_rounded(end, self.spread[1] - self.spread[0]) for end in self.spread)
+            return [*lines, "on what is unknown no dependence is seen: more runs, or a smaller `within`, may tell"]
         named = self.table[self.table.share >= SMALL]
         rest = "; on the rest less than 5 % each" if len(named) < len(self.table) else ""
-        return [f"{low} to {high}{unit} for 95 % of the grains that it may be",
+        return [*lines,
                 "it depends on: " + ", ".join(f"{row.key} {100.0 * row.share:.0f} %" for row in named.itertuples())
                 + f"{rest} (linear; of all runs it explains R² = {self.explained:.2f})"]
 

@@ -10,19 +10,20 @@ import pandas
 
 from ratchet_sieve.answers.answer import Interval
 from ratchet_sieve.answers.proposal import text_of
-from ratchet_sieve.answers.unknown import Unknown
+from ratchet_sieve.answers.unknown import Prior, Unknown
 from ratchet_sieve.texts import counted, shown
 from ratchet_sieve.values import Values
 
 LEVEL = 0.95
 TOGETHER = 0.7  # a correlation, above which two keys are known together only
-LITTLE = 0.8    # of an interval over what was known before: nothing was learned
+LITTLE = 0.75   # of an interval over what was known before: hardly anything was learned
 
 
 @dataclasses.dataclass(repr=False)
 class Grains:
     """Coefficients with which measured and computed agree. grains[KEY] is an Interval, .value and .half_width at 95 %
-    (None where they do not agree). Goes where a scene goes; separate() averages over what is left unknown.
+    (None where they do not agree; what was given as unknown where the measurements tell little more). Goes where a
+    scene goes; separate() averages over what is left unknown.
 
     keys         that were unknown
     agrees       whether any coefficients explain the measurements
@@ -38,7 +39,7 @@ class Grains:
     """
 
     base: Any
-    prior: Unknown
+    prior: Prior
     draws: pandas.DataFrame
     best: dict
     settings: list
@@ -58,7 +59,15 @@ class Grains:
 
     def __getitem__(self, key: str) -> Interval:
         """Raises KeyError."""
-        return _interval(self.draws[key]) if self.agrees else Interval(self.best[key], None, 0)
+        if not self.agrees:
+            return Interval(self.best[key], None, 0)
+        low, high = self.prior.given[key]
+        return Interval(0.5 * (low + high), 0.5 * (high - low), 0) if self.is_open(key) else _interval(self.draws[key])
+
+    def is_open(self, key: str) -> bool:
+        """Whether the measurements tell hardly more of a key than was known before."""
+        low, high = self.prior.given[key]
+        return _interval(self.draws[key]).half_width > LITTLE * 0.5 * (high - low)
 
     @property
     def scene(self) -> Any:
@@ -74,9 +83,10 @@ class Grains:
 
     def __str__(self) -> str:
         lines = []
-        for k, key in enumerate(self.keys if self.agrees else ()):
-            little = self[key].half_width > LITTLE * _interval(self.prior.table[:, k]).half_width
-            lines.append(f"{key} {self[key]} (95 %)" + (", hardly more than was known before" if little else ""))
+        for key in self.keys if self.agrees else ():
+            low, high = self.prior.given[key]
+            lines.append(f"{key} {low:.3g} to {high:.3g}, as before: the measurements tell hardly more"
+                         if self.is_open(key) else f"{key} {self[key]} (95 %)")
         lines += self._together() if self.agrees else []
         lines.append(self._agreement())
         if self.next_measurement:

@@ -13,7 +13,8 @@ from ratchet_sieve.errors import SceneError, SieveWarning
 
 EXAMPLE = '{"species.0.restitution": (0.9, 0.98)}'
 NOT_UNKNOWN = ("seed", "duration", "settle")
-Z_95 = 1.96      # standard deviations of half an interval of 95 %
+LEVEL = 0.95     # of an interval
+Z_95 = 1.96      # standard deviations of half of one
 SIGMAS = 3.0     # where a normal distribution is cut, in standard deviations
 ROWS = 4096      # of a table of draws
 BISECTIONS = 30  # of the last legal value
@@ -46,7 +47,7 @@ class Unknown:
 
 class Prior(Unknown):
     """Ranges, in which a value is anywhere; or values with errors: then normal, cut at three standard deviations and at
-    what is legal. The keys are independent."""
+    what is legal. The keys are independent. @ivar given key -> (low, high), of a normal one at 95 %"""
 
     def __init__(self, scene: Any, unknown: Mapping[str, Any]):
         """@param unknown key -> (low, high), or (value, "±", half the width of its interval at 95 %). Raises
@@ -54,6 +55,8 @@ class Prior(Unknown):
         if not mapping("unknown", unknown, EXAMPLE):
             raise ValueError(f"unknown: must name a key, such as {EXAMPLE}")
         self._distributions = [_distribution(scene, key, ends) for key, ends in unknown.items()]
+        self.given = {key: of.interval(1.0 if len(unknown[key]) == 2 else LEVEL)
+                      for key, of in zip(unknown, self._distributions)}
         super().__init__(list(unknown), self.values(spread(len(unknown), ROWS, 0)))
         scene.replace(self.middle)  # warns of what is implausible
 
