@@ -22,6 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 MARK = "calibrate-coverage"
 THETA, F, AMPLITUDE = "base.inclination", "base.frequency", "base.amplitude"
 SETTINGS = [{THETA: 0.0}, {THETA: 0.1}, {THETA: 0.2}, {THETA: 0.1, F: 35.0}]  # each of 120 s, some 800 grains
+SLOW = {THETA: 0.1, F: 16.0}  # near where grains pile up: tells of the amplitude
 E, MU, BETA = "restitution", "friction", "tangential_restitution"
 SYMBOLS = {E: "e", MU: "μ", BETA: "β", "amplitude": "amplitude"}
 RANGES = {E: (0.7, 0.99), MU: (0.05, 0.5), BETA: (0.2, 0.7)}
@@ -42,11 +43,11 @@ def feeder(*species):
                      "species": kinds, "duration": 120.0})
 
 
-def measured(scene, seed):
-    """What is counted of a feeder at all settings."""
-    rows = rs.sweep(scene, cases=[{**setting, "seed": seed + k} for k, setting in enumerate(SETTINGS)], progress=False)
+def measured(scene, settings, seed):
+    """What is counted of a feeder at some settings."""
+    rows = rs.sweep(scene, cases=[{**setting, "seed": seed + k} for k, setting in enumerate(settings)], progress=False)
     found = []
-    for setting, (_, row) in zip(SETTINGS, rows.iterrows()):
+    for setting, (_, row) in zip(settings, rows.iterrows()):
         counts = {f"{place}.{name}": int(row[f"{place}.{name}"]) for name in scene.species
                   for place in ("left", "right")}
         found.append({**setting, **counts, **{f"on_base.{name}": int(
@@ -55,12 +56,13 @@ def measured(scene, seed):
 
 
 def problems():
-    """@return map from the name to the feeder, what is unknown, what the calibration does not know, and words"""
+    """@return map from the name to the feeder, what is unknown, what the calibration does not know, further settings,
+    and words"""
     one, two = feeder(("A", 0.0015, 2500)), feeder(("A", 0.001, 2500), ("B", 0.0015, 1100))
-    return {"one": (one, ONE, {}, "three coefficients of one kind"),
-            "two": (two, TWO, {}, "five of two kinds"),
-            "amplitude": (one, {**ONE, AMPLITUDE: (0.0016, 0.0024)}, {}, "three, and the amplitude"),
-            "wrong": (one, ONE, {AMPLITUDE: WRONG * 0.002}, "three; the amplitude is 10 % wrong")}
+    return {"one": (one, ONE, {}, [], "three coefficients of one kind"),
+            "two": (two, TWO, {}, [], "five of two kinds"),
+            "amplitude": (one, {**ONE, AMPLITUDE: (0.0016, 0.0024)}, {}, [SLOW], "three, and the amplitude"),
+            "wrong": (one, ONE, {AMPLITUDE: WRONG * 0.002}, [SLOW], "three; the amplitude is 10 % wrong")}
 
 
 def is_within_spread(scene, grains, truth):
@@ -79,13 +81,13 @@ def is_within_spread(scene, grains, truth):
 def measure(name, feeders, results):
     """@param results file that keeps the first runs, which are the same for all but the first feeder, whose calibration
     tells the cost @return the figures as texts"""
-    scene, unknown, hidden, _ = problems()[name]
+    scene, unknown, hidden, more, _ = problems()[name]
     drawn = Prior(scene, unknown).values(np.random.default_rng(1).random((feeders, len(unknown))))
     found, within = [], 0
     for k, values in enumerate(drawn):
         truth = dict(zip(unknown, map(float, values)))
-        grains = rs.calibrate(scene, unknown, measured(scene.replace({**truth, **hidden}), FRESH + 100 * k), threads=1,
-                              results=results if k else None, progress=False)
+        counted = measured(scene.replace({**truth, **hidden}), SETTINGS + more, FRESH + 100 * k)
+        grains = rs.calibrate(scene, unknown, counted, threads=1, results=results if k else None, progress=False)
         cost = cost if k else grains.cost.processor
         print(name, k, truth, grains, sep="\n", flush=True)
         if grains.agrees:
@@ -105,7 +107,7 @@ def measure(name, feeders, results):
 def lines_of(path):
     """The table's lines, of all problems that were measured."""
     figures = json.loads((path.parent / "data" / f"{path.stem}.json").read_text(encoding="utf-8"))
-    return [[words, *(figures[f"{name}.{key}"] for key in COLUMNS)] for name, (_, _, _, words) in problems().items()
+    return [[words, *(figures[f"{name}.{key}"] for key in COLUMNS)] for name, (*_, words) in problems().items()
             if f"{name}.truths" in figures]
 
 
