@@ -116,7 +116,7 @@ private:
       if (watchers_.stop_wanted && watchers_.stop_wanted())
       {
         outcome_.end = RunEnd::STOPPED;
-        warn(fmt::format("stopped at {} s of {} s", simulation_.time(), duration), "stopped");
+        warn(fmt::format("stopped at {:.6g} s of {:g} s", simulation_.time(), duration), "stopped");
         return;
       }
       run_.observePeriods();

@@ -53,7 +53,7 @@ def test_goes_where_a_scene_goes_and_is_drawn(grains):
 
 def test_threads_and_a_file_of_runs_change_nothing(grains, rows, tmp_path):
     file = tmp_path / "rows.csv"
-    pandas.DataFrame(rows).to_csv(file, index=False)
+    pandas.DataFrame(rows).to_csv(file, index=False, sep=";", decimal=",")  # as in German Excel
     again = rs.calibrate(SCENE, UNKNOWN, file, threads=1, results=tmp_path / "runs.db", progress=False)
     assert again.draws.equals(grains.draws)
 

@@ -145,8 +145,10 @@ def _rows(measured: Any, unknown: list[str]) -> list[dict]:
 
 
 def _table(path: Any) -> pandas.DataFrame:
-    """Raises ValueError, OSError."""
+    """With semicolons between its cells numbers have decimal commas. Raises ValueError, OSError."""
     try:
-        return pandas.read_csv(path, skipinitialspace=True, index_col=False, encoding="utf-8-sig")
+        with open(path, encoding="utf-8-sig") as file:
+            form = {"sep": ";", "decimal": ","} if ";" in file.readline() else {}
+        return pandas.read_csv(path, skipinitialspace=True, index_col=False, encoding="utf-8-sig", **form)
     except ValueError as error:
         raise ValueError(f"measured = {os.fspath(path)!r}: no table: {' '.join(str(error).split())}") from None
