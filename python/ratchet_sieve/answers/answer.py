@@ -182,7 +182,7 @@ class Answer:
         part = len(self.as_good) / max(len(self.map), 1)
         spans = ", ".join(f"{key} {self.as_good[key].min():g} to {_with_unit(key, self.as_good[key].max())}"
                           for key in self.machine.keys)
-        return f"{spans} ({100.0 * part:.0f} % of the ranges)"
+        return f"{spans} ({100.0 * part:.2g} % of the ranges)"
 
     def next_stage(self, side: str, over: Any, **options: Any) -> Answer:
         """The machine that takes what leaves this one, at its best settings, at a side: a search of its own, whose

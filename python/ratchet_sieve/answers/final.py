@@ -151,19 +151,20 @@ def _fresh_runs(search, bar, fresh, notes):
     length = search.final_duration(runs, search.within / EXPECTED, LONG_ENOUGH)
     if search.deadline is not None:
         runs, length = _affordable(search, length)
-    fresh.rows, longer = pandas.DataFrame(), False
+    fresh.rows, least, longer = pandas.DataFrame(), runs, False
     while True:
         search.show = lambda done: bar.show(0.8, f"{done} fresh runs")
         rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(runs, length)], ignore_index=True)
         seen = machine.observed(rows) if len(rows) else None
         works = 0 if seen is None else seen["value"].notna().sum()
         # A fluctuation looks like a machine that fills up: longer runs tell.
-        filling = max(MOST_FILLING * len(rows), 1) if longer else 0
-        if seen is not None and not search.is_late() and (works < max(LEAST_WORKING * len(rows), 2) or
-                                                          fills(seen) > filling):
+        count = max(len(rows), least)
+        filling = max(MOST_FILLING * count, 1) if longer else 0
+        if seen is not None and not search.is_late() and (
+                works < max(len(rows) - (1.0 - LEAST_WORKING) * count, 2) or fills(seen) > filling):
             fresh.rows = pandas.DataFrame()
             if seen["open"].any() and not longer:
-                length, longer = 2.0 * length, True
+                length, longer, runs = 2.0 * length, True, -(-runs // 2)
                 continue
             search.close(whys(seen))
             at = ", ".join(f"{key} = {value:g}" for key, value in machine.settings(search.grid[search.best]).items())
@@ -173,7 +174,7 @@ def _fresh_runs(search, bar, fresh, notes):
         if mean and mean.half_width is not None:
             bar.show(0.8 + 0.2 * min((search.within / max(mean.half_width, 1e-9)) ** 2, 1.0),
                      f"{mean.value:.3g} ± {mean.half_width:.2g} from {counted(mean.count, 'fresh run')}")
-            if mean.half_width <= search.within:
+            if mean.half_width <= search.within and len(rows) >= least:
                 return True
         runs = FRESH // 2
         if len(rows) >= MOST_FRESH or search.is_late():
