@@ -102,6 +102,7 @@ def test_intervals_hold_and_what_was_not_measured_is_left_open(monkeypatch):
     ([ROW, {"left.A": 1}], "measured, row 2: left.A and right.A must be given, both"),
     ([{"left.A": 0, "right.A": 0}], "measured, row 1: no A was counted"),
     ([{"left.B": 1, "right.B": 1}], "measured, row 1: left.B: there is no such species; there are A"),
+    ([{**ROW, "mean_vx.B": 0.1}], "measured, row 1: mean_vx.B: there is no such species; there are A"),
     ([{**ROW, "mean_vx.A": "x"}], "measured, row 1: mean_vx.A = 'x': must be a finite number"),
     ([{**ROW, "base.inclinatoin": 1}], "measured, row 1: neither a number of results nor a setting: "),
     ([{**ROW, E: 0.9}], f"measured, row 1: {E}: must not be set: it is unknown"),

@@ -13,7 +13,7 @@ import pandas
 from ratchet_sieve.arguments import number
 from ratchet_sieve.bags import read_bins
 from ratchet_sieve.errors import SceneError
-from ratchet_sieve.values import unit_of
+from ratchet_sieve.values import OF_SPECIES, unit_of
 
 PLACES = {"left": "the share of {} that left to the left", "right": "", "on_base": "the share of {} still on the deck"}
 STDERR = ".stderr"  # ending of a column with the standard error of another one
@@ -103,7 +103,8 @@ def _is_result(key: str) -> bool:
 def _numbers(row: int, name: str, cells: dict, species: list[str]) -> list[Number]:
     """@param cells of results. Raises ValueError."""
     for key, value in cells.items():
-        if _is_count(key) and key.partition(".")[2] not in species:
+        place, _, kind = key.partition(".")
+        if (place in PLACES or place in OF_SPECIES) and not any(f"{kind}.".startswith(f"{each}.") for each in species):
             raise ValueError(f"{name}: {key}: there is no such species; there are {', '.join(species)}")
         number(f"{name}: {key}", value, 0.0 if _is_count(key) or key.endswith(STDERR) else -math.inf)
     found = []
