@@ -61,8 +61,13 @@ def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
         from .answers.unknown import prior_of
 
         drawn = prior_of(scene, unknown)
+        for k, case in enumerate(sweep_of.get("cases", ())):
+            for key in case.keys() & {*drawn.keys, "seed"}:
+                raise ValueError(f"cases[{k}]: {key}: must not be set, with `unknown`" +
+                                 (": give `seeds`" if key == "seed" else ", which has it as well"))
+        own = list(_listed(seeds, scene["seed"]))
         sweep_of["cases"] = [case for each in sweep_of.get("cases", [{}])
-                             for case in drawn.cases_of(each, _listed(seeds, scene["seed"]))]
+                             for case in drawn.cases_of(each, own)]
     elif seeds is not None:
         sweep_of["seed"] = _seeds(seeds)
     threads, kept = integer("threads", threads), None if results is None else path_of("results", results)

@@ -35,7 +35,12 @@ def plus_minus(value, error):
 def at_most(bound):
     """Of two digits, rounded up. @pre bound > 0"""
     step = 10.0 ** (math.floor(math.log10(bound)) - 1)
-    return f"{step * math.ceil(bound / step):.2g}"
+    return f"{float(f'{step * math.ceil(bound / step):.2g}'):g}"
+
+
+def percent(part):
+    """Of two digits: 7.4 %, 100 %."""
+    return f"{float(f'{100.0 * part:.2g}'):g} %"
 
 
 def counted(number, noun):
@@ -48,7 +53,7 @@ def which_way(separation, names, left=None):
     @param left of each the share that leaves to the left, where it is known"""
     order = (0, 1) if separation > 0.0 else (1, 0)
     to_left, to_right = (names[k] for k in order)
-    more = "" if left is None or left[order[0]] > 0.5 > left[order[1]] else "more "
+    more = "" if left is not None and left[order[0]] > 0.5 > left[order[1]] else "more "
     return f"{to_right} goes {more}to the right, {to_left} {more}to the left"
 
 

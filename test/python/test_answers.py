@@ -23,6 +23,9 @@ from ratchet_sieve.plots.findings import best_setting, way_of
 from ratchet_sieve.plots.means import Limits
 
 
+E0 = "species.0.restitution"
+
+
 def data_of(page):
     """What a page's script shows."""
     return json.loads(page.partition(' id="data">')[2].partition("</script>")[0])
@@ -96,6 +99,8 @@ def test_more_runs_make_a_surface_surer_and_leave_it_where_it_is():
     ({"species.0.name": (0, 1)}, {},
      "over['species.0.name']: must be a key whose value is a number, other than seed, duration, settle"),
     ({"feed.rate": (0, 10)}, {}, "over['feed.rate']: must begin above 0"),
+    ({THETA: (0.0, 0.2)}, {"species": [TWINS[0], {**TWINS[1], "name": "a"}]},
+     "species: A, a: must have names that differ in more than case"),
 ))
 def test_bad_input_is_refused_in_one_line(over, changes, line):
     with pytest.raises(ValueError) as error:
@@ -121,6 +126,13 @@ def test_bad_options_are_refused_before_anything_runs(options, name, monkeypatch
 def test_settings_have_few_digits_and_whole_numbers_where_the_key_has_them():
     machine = Machine(SCENE, {THETA: (0, 0.4), "base.frequency": (10, 50), "base.teeth": (8, 12)})
     assert machine.settings([1.0 / 3.0, 1.0 / 3.0, 0.4]) == {THETA: 0.1333, "base.frequency": 23.33, "base.teeth": 10}
+    numpys = Machine(SCENE, {"base.teeth": (np.int64(8), np.int64(12)), THETA: (-0.1, 0.2)})
+    assert str(numpys.settings([0.4, 1.0 / 3.0 - 1e-9])) == str({"base.teeth": 10, THETA: 0.0})  # not -0.0
+
+
+def test_what_is_implausible_at_both_ends_of_a_range_is_said():
+    with pytest.warns(rs.SieveWarning, match="did you mean 0.001 m"):
+        Machine(SCENE, {"base.amplitude": (1, 3)})
 
 
 def test_the_answer_is_that_of_many_runs(answer):
@@ -180,6 +192,8 @@ def test_it_says_which_way_and_products_beside_the_feed(answer):
     assert shown["result"] == lines[0] and shown["lines"] == lines[1:] and shown["picture"]["bytes"]
     assert [len(table["rows"]) for table in shown["tables"][:1]] == [len(answer.as_good)]
     assert shown["tables"][-1]["note"] == f"It takes {answer.batch(100).hours} h."
+    alone = dataclasses.replace(answer, as_good=answer.as_good[:1].assign(may_lose=0.0), idle=3 * len(answer.map))
+    assert f"({25.0 / len(answer.map):.2g} % of the ranges); no other setting is as good" in str(alone)
 
 
 def test_a_batch_takes_its_time_and_loses_nothing(answer):
@@ -265,6 +279,21 @@ def test_a_poured_machine_runs_for_its_duration():
 def test_a_machine_that_works_nowhere_is_an_error():
     with pytest.raises(RuntimeError, match="works nowhere in these ranges: in 11 runs: 11 not emptied by half"):
         rs.separate(changed(feed={"rate": 0.0}, density=1.0, duration=0.05), {THETA: (0.0, 0.1)})
+
+
+def test_a_machine_that_works_at_one_setting_says_so():
+    with pytest.raises(RuntimeError, match="works at one setting alone, too few for a search"):
+        rs.separate(rs.Scene(SCENE).replace({THETA: 0.3}), {"base.frequency": (5.0, 11.16)})
+
+
+def test_a_run_that_was_cut_is_not_what_tells_of_a_setting():
+    found = search.Search(Machine(SCENE, {THETA: (0.0, 0.4)}), 0.06, 1)
+    found.measure(np.array([0, 40, 80]), np.full(3, 4.0))
+    found._places = np.vstack([found._places, found._places[:1]])
+    found.runs = pandas.concat([found.runs, found.runs[:1].assign(status="cut", simulated_time=0.1)], ignore_index=True)
+    found.runs.loc[3, [name for name in found.runs if name.startswith(("steady.", "left.", "right."))]] = np.nan
+    assert found.machine.observed(found.runs).why[3] == CUT and found.assess()
+    assert found.why[0] == "" and found.last[0] == 0
 
 
 def interrupted_after(calls, monkeypatch):
@@ -548,6 +577,7 @@ def test_an_answer_is_written_as_a_whole_or_not_at_all(answer, name, tmp_path, s
     (("feeder.yaml",), 2, "--over"),
     (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--over", f"{THETA}=0:0.3"), 2, "is there twice"),
     (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--html", "none/answer.html"), 2, "there is no such directory"),
+    (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--unknown", f"{E0}=0.5±0.2.1"), 2, f"--unknown {E0}=0.5±0.2.1: must be"),
     (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--plot", "answer.xyz"), 2, "must end in .png or .svg or .pdf"),
     (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--best", "./feeder.yaml"), 2,
      "--best feeder.yaml: is the file of the scene; must be another one"),

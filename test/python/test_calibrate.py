@@ -105,6 +105,9 @@ def test_intervals_hold_and_what_was_not_measured_is_left_open(monkeypatch):
     ([{**ROW, "mean_vx.B": 0.1}], "measured, row 1: mean_vx.B: there is no such species; there are A"),
     ([{**ROW, "mean_vx.A": "x"}], "measured, row 1: mean_vx.A = 'x': must be a finite number"),
     ([{**ROW, "base.inclinatoin": 1}], "measured, row 1: neither a number of results nor a setting: "),
+    ([{**ROW, "throughput": 2.0, "throughput.stderr": 0.0}], "measured, row 1: throughput.stderr = 0.0: must be above 0"),
+    (pandas.DataFrame([[1, 2]]), "measured, row 1: 0: must be the name of a column"),
+    ([{**ROW, "seed": 3}], "measured, row 1: seed: must not be set: each run has its own"),
     ([{**ROW, E: 0.9}], f"measured, row 1: {E}: must not be set: it is unknown"),
 ))
 def test_what_was_measured_is_refused_in_one_line(measured, line):
@@ -121,6 +124,16 @@ def test_counts_are_shares_and_numbers_have_their_errors():
     assert left.variance == pytest.approx(0.375 * 0.625 / 80, rel=0.01)
     assert (speed.value, speed.variance, flow.variance) == (0.05, 1e-4, 0.25)
     assert data.settings == [{THETA: 0.1}] and "the share of A still on the deck" in str(data)
+
+
+def test_tables_are_read_as_they_are_meant(tmp_path):
+    """With keys in the index, as groupby() leaves them; nothing that left; and decimal commas between commas refused."""
+    indexed = pandas.DataFrame([{THETA: 0.1, "left.A": 0, "right.A": 0, "on_base.A": 25}]).set_index(THETA)
+    data = Measured(rs.Scene(SCENE), indexed, [E])
+    assert data.settings == [{THETA: 0.1}] and [str(number) for number in data.numbers] == ["the share of A still on the deck"]
+    (tmp_path / "tray.csv").write_text(f"{THETA},left.A,right.A\n0,1,30,50\n", encoding="utf-8")
+    with pytest.raises(ValueError, match="decimal commas need semicolons"):
+        Measured(rs.Scene(SCENE), tmp_path / "tray.csv", [E])
 
 
 def test_a_bag_has_its_last_counts(tmp_path):

@@ -74,6 +74,12 @@ def test_a_sweep_draws_by_seed_the_same_at_all_settings():
     assert alone["events"][0] == tables[0]["events"][4]
 
 
+@pytest.mark.parametrize("case", ({E0: 0.2}, {"seed": 7}))
+def test_a_case_does_not_set_what_is_drawn(case):
+    with pytest.raises(ValueError, match=r"cases\[0\]: .* must not be set, with `unknown`"):
+        rs.sweep(SCENE, cases=[case], unknown={E0: (0.4, 0.8)}, progress=False)
+
+
 def test_each_run_of_a_search_has_values_and_a_seed_of_its_own():
     machine = Machine(SCENE, {THETA: (0.0, 0.4)}, unknown={E0: (0.4, 0.8), MU: (0.1, 0.3)})
     assert machine.scene[E0] == pytest.approx(0.6, abs=1e-3)

@@ -76,8 +76,11 @@ def read_unknown(texts):
     form, found = "KEY=LOW:HIGH, or KEY=VALUE±ERROR", {}
     for text in texts:
         normal = re.fullmatch(r"([^=]+)=([\d.e+-]+)(?:±|\+-)([\d.e+-]+)", text)
-        each = {normal[1]: (float(normal[2]), "±", float(normal[3]))} if normal else \
-            read_over([text], "--unknown", form)
+        try:
+            each = {normal[1]: (float(normal[2]), "±", float(normal[3]))} if normal else \
+                read_over([text], "--unknown", form)
+        except ValueError:
+            raise ValueError(f"--unknown {text}: must be {form}") from None
         if set(each) & set(found):
             raise ValueError(f"--unknown {text}: the key is there twice")
         found.update(each)
@@ -113,6 +116,8 @@ def run(options):
     writers = [functools.partial(answer.write, path) for path in (options.html, options.json, options.plot) if path]
     if options.best and answer.best:
         writers.append(lambda: write_text(options.best, answer.scene.yaml))
+    elif options.best:
+        print(f"sieve_separate: {options.best} is not written: nothing is separated", file=sys.stderr)
     write_each("sieve_separate", [lambda: print(answer), *writers])
 
 

@@ -8,7 +8,7 @@ from typing import Any, Optional
 import pandas
 
 from ratchet_sieve.answers.products import Batch, batch_of
-from ratchet_sieve.texts import at_most, counted, plus_minus, shown, which_way
+from ratchet_sieve.texts import at_most, counted, percent, plus_minus, shown, which_way
 from ratchet_sieve.values import Values
 
 
@@ -62,6 +62,7 @@ class Answer:
     warnings    texts: what was cut short, a setting at the end of its range, warnings of the runs
     cost        runs, simulated [s], processor [s] and seconds [s of wall time], both of this call; `announced` before
                 the first run [s of wall time]
+    idle        settings beside those of `map`, at which the base throws nothing up
     map         DataFrame: the surface over the ranges, with its half_width; `why` the machine is no answer there, as
                 choked, still filling: "" where it is one
     runs        DataFrame: a row for each run, as of a sweep
@@ -87,6 +88,7 @@ class Answer:
     inside: Optional[Interval] = None
     stages: Optional[Values] = None
     chain: Any = None
+    idle: int = 0
     spread: Optional[tuple] = None
     depends_on: Optional[pandas.DataFrame] = None
     grains: Any = None
@@ -128,7 +130,7 @@ class Answer:
             source = f"95 %, {counted(self.separation.count, 'run')} with fresh seeds" if self.separation.count else \
                 "no interval: of the search's own runs"
             lines = [f"{goal} {self.separation}{unit} ({source})" + self._way(), f"at {at}",
-                     f"as good: {self._region()}; {self._worst()}{unit}"]
+                     f"as good: {self._region()}; {self._worst(unit)}"]
             lines += self.grains.lines(unit) if self.grains else []
             lines += self._products() if self.purity else []
         if self.best and self.throughput:
@@ -171,18 +173,20 @@ class Answer:
                              + (f" by mass, {recovery[1]} by number" if recovery[1] != recovery[0] else ""))
         return lines
 
-    def _worst(self) -> str:
+    def _worst(self, unit: str) -> str:
         """What the worst of those that are as good may lose."""
         most, value = self.as_good.may_lose.max(), abs(self.separation.value)
+        if not most > 0.0:
+            return "no other setting is as good"
         bounded = self.machine.is_signed or self.machine.share_goal
         loss = f"all of the {value:.2g}" if bounded and most >= value else at_most(most)
-        return f"the worst of them may lose {loss}"
+        return f"the worst of them may lose {loss}{unit}"
 
     def _region(self) -> str:
-        part = len(self.as_good) / max(len(self.map), 1)
+        part = len(self.as_good) / (len(self.map) + self.idle)
         spans = ", ".join(f"{key} {self.as_good[key].min():g} to {_with_unit(key, self.as_good[key].max())}"
                           for key in self.machine.keys)
-        return f"{spans} ({100.0 * part:.2g} % of the ranges)"
+        return f"{spans} ({percent(part)} of the ranges)"
 
     def next_stage(self, side: str, over: Any, **options: Any) -> Answer:
         """The machine that takes what leaves this one, at its best settings, at a side: a search of its own, whose

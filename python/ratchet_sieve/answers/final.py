@@ -11,7 +11,7 @@ from ratchet_sieve.answers.depends import PART, Dependence, known_text, screenin
 from ratchet_sieve.answers.intervals import interval_of, products_of
 from ratchet_sieve.answers.machine import LEAST_WORKING, flow_of
 from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
-from ratchet_sieve.texts import at_most, counted
+from ratchet_sieve.texts import at_most, counted, percent
 from ratchet_sieve.values import Values
 
 FRESH = 12          # runs of the best setting; then half as many at a time
@@ -113,7 +113,9 @@ def _search(search, bar, announced):
             runs = f"in {counted(len(search.runs), 'run')}: {reasons}"
             if search.is_late():
                 raise ValueError(f"budget: too small for any answer, of about {duration(announced)}: {runs}")
-            raise RuntimeError(f"the machine works nowhere in these ranges: {runs}")
+            works = len(search.runs) and search.machine.observed(search.runs)["value"].notna().any()
+            raise RuntimeError("the machine works " + ("at one setting alone, too few for a search: widen the ranges "
+                               "around it, " if works else "nowhere in these ranges: ") + runs)
         part, text = 0.3 + 0.5 * min(search.within / max(float(search.may.max()), 1e-9), 1.0), _so_far(search)
         search.show = lambda done: bar.show(part, f"{text}; {done}")
         bar.show(part, text)
@@ -166,7 +168,7 @@ def _fresh_runs(search, bar, fresh, notes):
             if seen["open"].any() and not longer:
                 length, longer, runs = 2.0 * length, True, -(-runs // 2)
                 continue
-            search.close(whys(seen))
+            search.close(next(iter(seen["why"][seen["why"] != ""].mode()), ""))
             at = ", ".join(f"{key} = {value:g}" for key, value in machine.settings(search.grid[search.best]).items())
             notes.append(f"{at} is left out: of {counted(len(rows), 'fresh run')} {whys(seen)}")
             return False
@@ -202,13 +204,13 @@ def _answer(search, fresh, notes, floor, clocks, announced):
             notes.append(f"the {machine.goal} has no interval: it is of the search's own runs, which chose the "
                          "setting, so that it is too large")
     if search.too_costly.any():
-        notes.append(f"{100.0 * search.too_costly.mean():.2g} % of the ranges are left out: there a simulated second "
+        notes.append(f"{percent(search.part(search.too_costly))} of the ranges are left out: there a simulated second "
                      f"costs more than {COSTLIEST:g} times the usual, as on a nearly choked base")
     silent = pandas.Series(np.where(search.works, "", search.why)).replace("", np.nan).value_counts(normalize=True)
-    share = np.mean(~search.works & (search.why != ""))
+    share = search.part(~search.works & (search.why != ""))
     if share > 0.0:
-        notes.append(f"no answer in {100.0 * share:.2g} % of the ranges: "
-                     + ", ".join(f"{why} in {100.0 * share * part:.2g} %" for why, part in silent.items()))
+        notes.append(f"no answer in {percent(share)} of the ranges: "
+                     + ", ".join(f"{why} in {percent(share * part)}" for why, part in silent.items()))
     known = found.half_width is not None
     separated = known and not search.nowhere() and abs(found.value) > found.half_width
     best = separated or not known and not search.nowhere()
@@ -222,7 +224,7 @@ def _answer(search, fresh, notes, floor, clocks, announced):
                   processor=time.process_time() - clocks[1], seconds=time.monotonic() - clocks[0])
     return Answer(machine=machine, best=settings if best else None, separation=found, separated=separated,
                   bound=search.bound, within=search.within, as_good=_as_good(search, surface, best), map=surface,
-                  runs=rows, seen=machine.observed(rows), cost=cost, floor=floor, warnings=notes,
+                  idle=len(search.idle), runs=rows, seen=machine.observed(rows), cost=cost, floor=floor, warnings=notes,
                   **products_of(machine, fresh), **_depends_on(machine, fresh))
 
 

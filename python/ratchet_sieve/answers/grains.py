@@ -103,7 +103,7 @@ class Grains:
             return f"measured and computed agree: {found}"
         worst = self.table.loc[self.table.chi_squared.idxmax()]
         at = ", ".join(f"{key} = {value}" for key, value in self.settings[worst.row - 1].items())
-        return f"measured and computed do not agree: {found}; worst: {worst.number} at {at or 'row 1'}"
+        return f"measured and computed do not agree: {found}; worst: {worst.number} at {at or f'row {worst.row}'}"
 
     def _together(self) -> list[str]:
         """Of pairs that are known together only, what is known of both."""

@@ -1,4 +1,5 @@
 """What is measured of a machine, by which runs, and how sure one run is of it."""
+import numbers
 import pathlib
 import warnings
 
@@ -8,7 +9,7 @@ import pandas
 from ratchet_sieve import sweeps
 from ratchet_sieve.answers.unknown import prior_of
 from ratchet_sieve.arguments import mapping, number, path_of
-from ratchet_sieve.errors import SceneError, SieveWarning
+from ratchet_sieve.errors import SceneError, SieveWarning, warn
 from ratchet_sieve.goals import LEFT, LEFT_MASS, RIGHT, RIGHT_MASS, Goal
 from ratchet_sieve.scene import scene_of
 from ratchet_sieve.tables import writing
@@ -71,8 +72,11 @@ class Machine:
         self.goal = goal or GOALS[self.kind]
         self.is_signed = goal is None
         self._require_species()
-        for corner in (0.0, 1.0):
-            self._changed(self.settings(np.full(len(self.keys), corner)))
+        ends = [self._changed(self.settings(np.full(len(self.keys), corner))) for corner in (0.0, 1.0)]
+        known, everywhere = ({text.rpartition("[")[2] for text in of.warnings} for of in (self.scene, ends[1]))
+        for text in ends[0].warnings:  # of what is implausible at both ends, as of mm for m
+            if text.rpartition("[")[2] in everywhere - known:
+                warn(text)
         self.share_goal = _share_goal(self.goal, self.scene.species)
         self.rate = self._lowest("feed.rate", values["feed"]["rate"])  # of the feed [1/s]
         self.shortest = values["duration"]
@@ -93,7 +97,7 @@ class Machine:
 
     def _is_whole(self, key, ends):
         """Whether a key takes whole numbers alone. Raises SceneError if it takes neither end."""
-        if not all(isinstance(end, int) for end in ends):
+        if not all(isinstance(end, numbers.Integral) for end in ends):
             return False
         self._changed({key: ends[0]})
         try:
@@ -124,6 +128,8 @@ class Machine:
 
     def _require_species(self):
         species = self.scene.species
+        if len({name.lower() for name in species}) < len(species):  # columns of results are those of SQLite
+            raise ValueError(f"species: {', '.join(species)}: must have names that differ in more than case")
         if len(species) < 2:
             raise ValueError(f"species: {species[0]} is alone: there is nothing to separate it from")
         if self.is_signed and len(species) > 2:
@@ -136,12 +142,15 @@ class Machine:
     def settings(self, place):
         """@param place (d,) from 0 to 1 within the ranges. @return the value of each key"""
         values = self.low + np.asarray(place) * (self.high - self.low)
-        return {key: round(float(value), decimals) if decimals else round(float(value))
+        return {key: round(float(value), decimals) + 0.0 if decimals else round(float(value))
                 for key, value, decimals in zip(self.keys, values, self._decimals)}
 
     def place(self, settings):
         """@param settings value of each key, or of some: else the scene's own. @return (d,) from 0 to 1. Raises
-        ValueError for one beyond its range."""
+        ValueError for one beyond its range, or of another key."""
+        for key in mapping("start", settings, '{"base.inclination": 0.1}'):
+            if key not in self.keys:
+                raise ValueError(f"start: {key}: must be one of {', '.join(self.keys)}")
         values = np.array([settings[key] if key in settings else self.scene[key] for key in self.keys], dtype=float)
         beyond = (values < self.low) | (values > self.high)
         if beyond.any():
@@ -158,7 +167,10 @@ class Machine:
             if ending in texts:
                 part.write_text(texts[ending](), encoding="utf-8")
             else:
-                plot().figure.savefig(part, format=ending[1:])
+                figure = plot().figure
+                if ending[1:] not in figure.canvas.get_supported_filetypes():
+                    raise ValueError(f"path = {path}: must end in {', '.join(texts)}, .png, .svg or .pdf")
+                figure.savefig(part, format=ending[1:])
 
     def _changed(self, values):
         """The scene with other values; what is implausible at a place that may never be chosen is not said. Raises
@@ -229,7 +241,7 @@ class Machine:
             first, second = self.scene.species
             seen["value"] = rows[f"mean_vx.{first}"] - rows[f"mean_vx.{second}"]
             seen["variance"] = rows[f"mean_vx_stderr.{first}"] ** 2 + rows[f"mean_vx_stderr.{second}"] ** 2
-            seen.loc[seen["value"].isna(), "why"] = NO_DRIFT
+            seen.loc[seen["value"].isna() | ~(seen["variance"] > 0.0), "why"] = NO_DRIFT
 
     def _observed_poured(self, rows, seen):
         bins = self.bins(rows)

@@ -5,6 +5,7 @@ import dataclasses
 import math
 import os
 import re
+import warnings
 from typing import Any, Optional
 
 import numpy as np
@@ -13,6 +14,7 @@ import pandas
 from ratchet_sieve.arguments import number
 from ratchet_sieve.bags import read_bins
 from ratchet_sieve.errors import SceneError
+from ratchet_sieve.texts import counted
 from ratchet_sieve.values import OF_SPECIES, unit_of
 
 PLACES = {"left": "the share of {} that left to the left", "right": "", "on_base": "the share of {} still on the deck"}
@@ -66,7 +68,8 @@ class Measured:
             self.settings.append({key: value for key, value in row.items() if not _is_result(key)})
             for key in self.settings[k]:
                 if key in (*unknown, "seed"):
-                    raise ValueError(f"{name}: {key}: must not be set: it is unknown")
+                    raise ValueError(f"{name}: {key}: must not be set: " +
+                                     ("each run has its own" if key == "seed" else "it is unknown"))
             try:
                 scene.replace(self.settings[k])
             except SceneError as error:
@@ -82,7 +85,8 @@ class Measured:
     def __str__(self) -> str:
         """What was understood."""
         names = dict.fromkeys(map(str, self.numbers))
-        return f"measured at {len(self.settings)} settings, {len(self.numbers)} numbers: {'; '.join(names)}"
+        return f"measured at {counted(len(self.settings), 'setting')}, {counted(len(self.numbers), 'number')}: " \
+               f"{'; '.join(names)}"
 
 
 def _share(part: Any, whole: Any) -> tuple[Any, Any]:
@@ -106,7 +110,8 @@ def _numbers(row: int, name: str, cells: dict, species: list[str]) -> list[Numbe
         place, _, kind = key.partition(".")
         if (place in PLACES or place in OF_SPECIES) and not any(f"{kind}.".startswith(f"{each}.") for each in species):
             raise ValueError(f"{name}: {key}: there is no such species; there are {', '.join(species)}")
-        number(f"{name}: {key}", value, 0.0 if _is_count(key) or key.endswith(STDERR) else -math.inf)
+        if number(f"{name}: {key}", value, 0.0 if _is_count(key) else -math.inf) <= 0.0 and key.endswith(STDERR):
+            raise ValueError(f"{name}: {key} = {value}: must be above 0")
     found = []
     for kind in species:
         left, right, deck = (cells.get(f"{place}.{kind}") for place in PLACES)
@@ -115,9 +120,9 @@ def _numbers(row: int, name: str, cells: dict, species: list[str]) -> list[Numbe
         if left is None or right is None:
             raise ValueError(f"{name}: left.{kind} and right.{kind} must be given, both")
         for place, part, whole in (("left", left, left + right), ("on_base", deck, left + right + (deck or 0))):
-            if whole == 0:
+            if whole == 0 and not deck:
                 raise ValueError(f"{name}: no {kind} was counted")
-            if part is not None:
+            if part is not None and whole > 0:
                 found.append(Number(row, f"{place}.{kind}", *map(float, _share(part, whole))))
     for key, value in cells.items():
         if not _is_count(key) and not key.endswith(STDERR):
@@ -133,6 +138,8 @@ def _rows(measured: Any, unknown: list[str]) -> list[dict]:
     if isinstance(measured, (str, os.PathLike)):
         measured = [measured] if os.fspath(measured).endswith(".bag") else _table(measured)
     if isinstance(measured, pandas.DataFrame):
+        if any(name is not None for name in measured.index.names):  # as of groupby() and set_index()
+            measured = measured.reset_index()
         measured = measured.astype(object).to_dict("records")
     if not isinstance(measured, (list, tuple)) or not len(measured):
         raise ValueError(f"measured = {measured!r}: must be the path of a CSV file or a bag, or rows such as {EXAMPLE}")
@@ -141,6 +148,9 @@ def _rows(measured: Any, unknown: list[str]) -> list[dict]:
     for k, row in enumerate(rows):
         if not isinstance(row, dict):
             raise ValueError(f"measured[{k}] = {row!r}: must be a mapping, such as {EXAMPLE[1:-1]}")
+        for key in row:
+            if not isinstance(key, str):
+                raise ValueError(f"measured, row {k + 1}: {key!r}: must be the name of a column, such as left.A")
     return [{re.sub("^mean_vx_stderr(.*)", rf"mean_vx\1{STDERR}", key): value for key, value in row.items()
              if value is not None and value == value} for row in rows]
 
@@ -150,6 +160,11 @@ def _table(path: Any) -> pandas.DataFrame:
     try:
         with open(path, encoding="utf-8-sig") as file:
             form = {"sep": ";", "decimal": ","} if ";" in file.readline() else {}
-        return pandas.read_csv(path, skipinitialspace=True, index_col=False, encoding="utf-8-sig", **form)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", pandas.errors.ParserWarning)  # of cells beyond the names of columns
+            return pandas.read_csv(path, skipinitialspace=True, index_col=False, encoding="utf-8-sig", **form)
+    except pandas.errors.ParserWarning:
+        raise ValueError(f"measured = {os.fspath(path)!r}: no table: a line has more cells than there are names of "
+                         "columns; decimal commas need semicolons between the cells") from None
     except ValueError as error:
         raise ValueError(f"measured = {os.fspath(path)!r}: no table: {' '.join(str(error).split())}") from None

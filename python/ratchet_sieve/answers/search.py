@@ -56,10 +56,10 @@ class Search:
         self.seed = seed_of(seed)
         self.runs = pandas.DataFrame()
         self._places = np.empty((0, len(machine.keys)))
-        self._all = _different(machine, _grid(len(machine.keys)))
-        lifts = _lifts(machine, self._all)
+        places = _different(machine, _grid(len(machine.keys)))
+        lifts = _lifts(machine, places)
         thrown = (lifts >= 1.0) | (lifts < 1.0).all()
-        self.grid, self.idle = self._all[thrown], self._all[~thrown]
+        self.grid, self.idle = places[thrown], places[~thrown]
         # Near lift-off a setting must be better by `within` to be the best.
         self._handicap = within * ((lifts[thrown] < LIFT_OFF) & (machine.kind == "fed"))
         self._surface = None
@@ -91,6 +91,10 @@ class Search:
                           if not len(self.idle) or _distance(self.grid, place) <= _distance(self.idle, place))
                 self._first = np.array(list(dict.fromkeys(itertools.islice(places, count))))
         return self._first
+
+    def part(self, chosen):
+        """@param chosen of the grid, a mask @return how much of the ranges that is"""
+        return chosen.sum() / (len(self.grid) + len(self.idle))
 
     def measure(self, chosen, durations):
         """@param chosen numbers of places. @param durations of their runs, in units of the shortest"""
@@ -130,8 +134,9 @@ class Search:
     def _add(self, places, durations, seeds, observe=()):
         rows = self._run(places, durations, seeds, observe)
         if len(rows):
-            self._places = np.vstack([self._places, places[rows.index.to_numpy() // seeds[1]]])
-            self.runs = pandas.concat([self.runs, rows], ignore_index=True)
+            both = (np.vstack([self._places, places[rows.index.to_numpy() // seeds[1]]]),
+                    pandas.concat([self.runs, rows], ignore_index=True))
+            self._places, self.runs = both  # at once: Ctrl-C comes between two lines
         return rows
 
     def fresh(self, runs, duration):
@@ -162,8 +167,9 @@ class Search:
         defined = seen["value"].notna().to_numpy()
         longer = self._longer(seen)
         may_work = defined | np.isfinite(longer)
-        # Of several runs of a place the last, which is the longest.
+        # Of several runs of a place the last, which is the longest; one that was cut before it says anything last.
         distance = ((self.grid[:, None] - self._places[None, ::-1]) ** 2).sum(axis=-1)
+        distance += 0.5 * NEAR * (seen["why"] == CUT).to_numpy()[::-1]
         nearest = len(self._places) - 1 - distance.argmin(axis=1)
         self.works, self.why = may_work[nearest], seen["why"].to_numpy()[nearest]
         for k, reason in self._closed.items():
