@@ -16,7 +16,7 @@ import numpy as np
 import ratchet_sieve as rs
 from ratchet_sieve import documents, origin, stats
 from ratchet_sieve.answers.unknown import Prior
-from ratchet_sieve.texts import table
+from ratchet_sieve.texts import table, two_digits
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MARK = "calibrate-coverage"
@@ -98,7 +98,7 @@ def measure(name, feeders, results):
         return "—" if not found else ", ".join(
             f"{SYMBOLS[key.rpartition('.')[2]]} {text(of_key)}" for key, of_key in zip(unknown, zip(*found)))
 
-    return {"truths": f"{feeders}", "agree": f"{len(found)}", "cost": f"{cost:.2g}",
+    return {"truths": f"{feeders}", "agree": f"{len(found)}", "cost": two_digits(cost),
             "held": of_each(lambda of_key: sum(away <= half for half, away in of_key)),
             "half": of_each(lambda of_key: f"{statistics.median(half for half, _ in of_key):.2g}"),
             "separated": f"{within}" if name == SEPARATED else "—"}

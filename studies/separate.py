@@ -15,7 +15,7 @@ import numpy as np
 
 import ratchet_sieve as rs
 from ratchet_sieve import documents, origin, stats
-from ratchet_sieve.texts import plus_minus, table
+from ratchet_sieve.texts import plus_minus, table, two_digits
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MARK = "separate-costs"
@@ -108,7 +108,7 @@ def measure(name, scene, over, seeds):
         lost.append(best - abs(true.value))
         held += abs(true.value - answer.separation.value) < np.hypot(answer.separation.half_width, true.half_width())
         print(name, seed, answer.best, answer.separation, true.text(), f"{cost:.1f} s", flush=True)
-    figures = {"best": f"{best:.3f}", "cost": f"{statistics.median(costs):.2g}", "most": f"{max(costs):.2g}",
+    figures = {"best": f"{best:.3f}", "cost": two_digits(statistics.median(costs)), "most": two_digits(max(costs)),
                "separated": f"{separated} of {seeds}", "seeds": f"{seeds}"}
     if name == "twins":
         return {**figures, "lost": "—", "near": "—", "held": "—"}
@@ -119,7 +119,7 @@ def measure(name, scene, over, seeds):
 def measure_halving(scene, over, seeds, best):
     found = [timed(lambda: halving(scene, over, seed)) for seed in range(1, seeds + 1)]
     lost = [best - abs(reference(scene, [setting], 600.0, 8)[0].value) for setting, _ in found]
-    return {"seeds": f"{seeds}", "cost": f"{statistics.median(cost for _, cost in found):.2g}",
+    return {"seeds": f"{seeds}", "cost": two_digits(statistics.median(cost for _, cost in found)),
             "near": f"{sum(each <= WITHIN for each in lost)} of {seeds}", "lost": f"{statistics.mean(lost):.3f}"}
 
 
@@ -134,7 +134,7 @@ def measure_two_stages(scene, seeds):
 
     found, cost = timed(lambda: [list(purities(seed)) for seed in range(1, seeds + 1)])
     means = [stats.mean_of(column) for column in zip(*found)]
-    return {"seeds": f"{seeds}", "cost": f"{cost:.2g}",
+    return {"seeds": f"{seeds}", "cost": two_digits(cost),
             **{name: plus_minus(mean.value, mean.half_width()) for name, mean in zip(("glass", "rubber"), means)}}
 
 

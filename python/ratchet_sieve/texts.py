@@ -32,15 +32,19 @@ def plus_minus(value, error):
     return f"{rounded(value, decimals)} ± {rounded(error, decimals)}"
 
 
+def two_digits(value):
+    """0.074, 7.4, 120."""
+    return f"{float(f'{value:.2g}'):g}"
+
+
 def at_most(bound):
     """Of two digits, rounded up. @pre bound > 0"""
     step = 10.0 ** (math.floor(math.log10(bound)) - 1)
-    return f"{float(f'{step * math.ceil(bound / step):.2g}'):g}"
+    return two_digits(step * math.ceil(bound / step))
 
 
 def percent(part):
-    """Of two digits: 7.4 %, 100 %."""
-    return f"{float(f'{100.0 * part:.2g}'):g} %"
+    return f"{two_digits(100.0 * part)} %"
 
 
 def counted(number, noun):

@@ -6,7 +6,7 @@ import pandas
 
 from ratchet_sieve.answers.machine import CHOKED, FILLING
 from ratchet_sieve.answers.search import LIFT_OFF, SEEDS, SINGLE, usual_length
-from ratchet_sieve.texts import counted, shown
+from ratchet_sieve.texts import counted, two_digits
 
 OF_A_RUN = 1.0     # of the short runs [s of wall time]
 OF_BUDGET = 0.05   # the same, of a budget
@@ -60,7 +60,7 @@ def cost_text(machine, length, seconds, threads):
     seconds of wall time"""
     cost = SLOW * seconds / threads
     why = f", because {machine.rarest[0]} is {100.0 * machine.rarest[1]:.2g} %" if machine.rarest else ""
-    return (f"each run is {shown(float(f'{length:.2g}'))} s long{why}: about {duration(cost)} on "
+    return (f"each run is {two_digits(length)} s long{why}: about {duration(cost)} on "
             f"{counted(threads, 'core')}"), cost
 
 
@@ -101,8 +101,8 @@ def duration(seconds):
     """In words: 40 s, 20 min, 3 h."""
     for unit, name in ((3600.0, "h"), (60.0, "min")):
         if seconds >= 2.0 * unit:
-            return f"{float(f'{seconds / unit:.2g}'):g} {name}"
-    return f"{float(f'{max(seconds, 0.1):.2g}'):g} s"
+            return f"{two_digits(seconds / unit)} {name}"
+    return f"{two_digits(max(seconds, 0.1))} s"
 
 
 def fills(seen):
