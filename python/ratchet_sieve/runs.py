@@ -110,7 +110,7 @@ class Recording:
         shows, .xyz and .extxyz for OVITO and ASE, .pvd for ParaView (needs meshio); see docs/recording.md.
 
         megabytes  size of the page at most: its frames are thinned to it
-        Raises ValueError without frames, OSError, ImportError without meshio.
+        Raises ValueError without frames or with another ending, OSError, ImportError without meshio.
         """
         self._require_frames()
         file = path_of("path", path)
@@ -124,6 +124,8 @@ class Recording:
 
             write_pvd(self, file)
         else:
+            if ending not in (".xyz", ".extxyz"):
+                raise ValueError(f"path = {file!r}: must end in .html, .xyz, .extxyz or .pvd")
             _engine.write_trajectory(file, self.scene._engine, self.frames._tuples())
 
     def show(self, *, height: int = 900, megabytes: float = 3.0) -> Any:

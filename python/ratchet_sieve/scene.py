@@ -92,6 +92,8 @@ class Scene:
 
     def __getitem__(self, key: str) -> Any:
         """The value of a dotted key: scene["species.0.radius"]. SI units. Raises KeyError."""
+        if not isinstance(key, str):
+            raise KeyError(key)
         if self._values is None:
             self._values = self._engine.values
         value: Any = self._values
@@ -101,6 +103,16 @@ class Scene:
             except (KeyError, IndexError, TypeError, ValueError):
                 raise KeyError(key) from None
         return value
+
+    def __contains__(self, key: Any) -> bool:
+        """Whether the scene has a value of this dotted key: "species.0.radius" in scene."""
+        try:
+            self[key]
+        except KeyError:
+            return False
+        return True
+
+    __iter__ = None  # its keys are nested: scene.values
 
     @property
     def hash(self) -> str:

@@ -1,6 +1,7 @@
 """The simulation, step by step."""
 from __future__ import annotations
 
+import reprlib
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -30,7 +31,7 @@ class Simulation:
         quality, confidence of `accuracy`) may have changed. Raises StateError, which names the key that has."""
         scene = scene_of(scene)
         if not isinstance(state, bytes):
-            raise StateError(f"state = {state!r}: must be bytes, as Simulation.save() returns them")
+            raise StateError(f"state = {reprlib.repr(state)}: must be bytes, as Simulation.save() returns them")
         simulation = cls.__new__(cls)
         try:
             simulation._begin(scene, _engine.Simulation.restore(scene._engine, state))

@@ -59,7 +59,9 @@ class Mean:
         return two_sided(distance / self.error, self.degrees())
 
     def half_width(self):
-        """Of the interval of 95 %."""
+        """Of the interval of 95 %; None where there is no error, as of one sample."""
+        if self.error is None or self.degrees() <= 0.0:
+            return None
         return quantile(self.degrees()) * self.error
 
     def surely_above(self, bound):

@@ -169,6 +169,10 @@ void describe(CLI::App& app, RunArguments& arguments)
   describeScene(app, arguments);
   describeOutputs(app, arguments);
   describeRun(app, arguments);
+  // As of a variable of a shell that is not set: the output would be lost without a word.
+  for (CLI::Option* option : app.get_options([](CLI::Option* each) { return each->get_type_name() == "FILE"; }))
+    option->check([](const std::string& path)
+                  { return std::string(path.empty() ? "the name of a file must not be empty" : ""); });
   app.footer(
       "Exit status: 0 if the run is complete; 2 for bad arguments or a bad scene (nothing is written); 1 for "
       "any other "

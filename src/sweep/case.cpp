@@ -161,8 +161,12 @@ void CaseBuilder::build(std::uint64_t point)
   YAML::Node tree = copyWithoutLines(base_);
   for (const Assignment& assignment : sweep_.fixed)
     applyOverride(tree, assignment.key + '=' + assignment.value);
-  for (const Assignment& assignment : sweep_.point(point))
+  const std::vector<Assignment> swept = sweep_.point(point);
+  for (const Assignment& assignment : swept)
     applyOverride(tree, assignment.key + '=' + assignment.value);
+  for (const Assignment& assignment : swept)
+    if (!valueAt(tree, assignment.key))
+      throw SceneError(assignment.key + ": another swept key takes it out; sweep one of the two");
   Scene scene = sceneFromYaml(tree, sweep_.scene_source);
   case_.scene = std::move(scene.definition);
   case_.warnings = std::move(scene.warnings);

@@ -70,6 +70,8 @@ Database::Database(const std::string& path, Access access) : path_(path)
   const fs::file_status status = fs::status(path, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw DatabaseError(path + ": is no regular file");
+  if (access == Access::READ && !fs::exists(status))
+    throw DatabaseError(path + ": no such file; sieve_sweep run makes it");
   if (access == Access::WRITE)
     lock();
   // An absolute path, because SQLite treats some names specially. A reader without write

@@ -17,6 +17,7 @@ class Means(unittest.TestCase):
         self.assertIsNone(mean_of([]))
         self.assertIsNone(mean_of([1.0]).error)
         self.assertIsNone(mean_of([1.0]).surely_above(0.0))
+        self.assertIsNone(mean_of([1.0]).half_width())
         self.assertEqual(mean_of([1.0]).text(), "1.000 ± —")
 
     def test_errors_are_shown_with_one_digit_or_two_after_a_one(self):

@@ -208,7 +208,7 @@ def test_trajectories_are_those_of_sieve_run(scene, tmp_path):
     run.write(tmp_path / "python.xyz")
     for part in ("", "_base"):
         assert (tmp_path / f"python{part}.xyz").read_text() == (tmp_path / f"own{part}.xyz").read_text()
-    with pytest.raises(OSError, match="xyz"):
+    with pytest.raises(ValueError, match="must end in .html, .xyz, .extxyz or .pvd"):
         run.write(tmp_path / "run.abc")
     with pytest.raises(ValueError, match="no frames"):
         rs.run(scene, progress=False).write(tmp_path / "none.xyz")

@@ -18,6 +18,9 @@ def test_values_are_those_of_the_text(scene):
     assert scene["base.tooth_width"] == pytest.approx(0.02)
     with pytest.raises(KeyError):
         scene["base.nothing"]
+    assert "seed" in scene and "species.2" not in scene
+    with pytest.raises(TypeError):
+        list(scene)
 
 
 def test_a_file_and_its_text_are_one_scene(scene, tmp_path):

@@ -68,6 +68,7 @@ TEST_F(SieveRunOutputs, AreNeitherInputsNorEachOther)
   { expectRefusal(arguments, output + ": is the file of " + of + "; must be another one"); };
   expect_same(own + " --summary " + own, "--summary " + own, "SCENE");
   expect_same(own + " --checkpoint " + link, "--checkpoint " + link, "SCENE");
+  expectRefusal(own + " --exits ''", "--exits: the name of a file must not be empty; see --help");
   const std::string file = written_ / "x";
   expect_same(own + " --summary " + file + " --collisions " + (written_ / "./x"),
               "--collisions " + (written_ / "./x"), "--summary");

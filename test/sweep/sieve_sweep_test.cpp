@@ -160,7 +160,7 @@ TEST_F(SieveSweep, MergesNothingIfAFileHasOtherResults)
                  (directory_ / "other.db") + ": has a result of no case of " + file + ": run_hash ");
   expect_refusal({part, file}, file + ": file is not a database\n");
   expect_refusal({part, directory_ / "none.db"},
-                 (directory_ / "none.db") + ": unable to open database file\n");
+                 (directory_ / "none.db") + ": no such file; sieve_sweep run makes it\n");
   Database(part, Database::Access::WRITE).execute("UPDATE cases SET physics = 0");
   expect_refusal({part}, part + ": has a result of another physics version than ");
   for (const char* wrong : {"0/3", "4/3", "3", "1/", "a/b", "1/2/3"})

@@ -196,6 +196,9 @@ TEST_F(SweepFile, RefusesACaseWhoseSceneIsIllegalAndSaysWhich)
                 "sweep.yaml: case 1 (species.0.radius=0.1 species.00.radius=0.2): override "
                 "species.00.radius=0.2: 00 is "
                 "not an index of species, a list of length 1");
+  expectRefusal(scene + "grid: {base.teeth: [3, 4], base.length: [0.2]}",
+                "sweep.yaml: case 1 (base.teeth=3 base.length=0.2): base.teeth: another swept key takes it "
+                "out; sweep one of the two");
   // Only placing the disks shows that they overlap.
   expectRefusal(scene + "set: {initial: [{species: A, x: 0.1, y: 0.1}, {species: A, x: 0.1, y: 0.1}]}",
                 "sweep.yaml: case 1 (the scene itself): initial.0 and initial.1 overlap by 0.002 m");

@@ -48,7 +48,8 @@ def parse_where(conditions, keys):
 
 def require_known(name, known, option):
     if name not in known:
-        raise Refusal(f"{option} {name}: no such name; there are {', '.join(known)}")
+        raise Refusal(f"{option} {name}: no such name; "
+                      + (f"there are {', '.join(known)}" if known else "the sweep has no keys, seeds alone"))
 
 
 def choose_axes(options, keys, rows):
