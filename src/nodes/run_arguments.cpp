@@ -170,7 +170,8 @@ void describe(CLI::App& app, RunArguments& arguments)
   describeOutputs(app, arguments);
   describeRun(app, arguments);
   // As of a variable of a shell that is not set: the output would be lost without a word.
-  for (CLI::Option* option : app.get_options([](CLI::Option* each) { return each->get_type_name() == "FILE"; }))
+  for (CLI::Option* option :
+       app.get_options([](CLI::Option* each) { return each->get_type_name() == "FILE"; }))
     option->check([](const std::string& path)
                   { return std::string(path.empty() ? "the name of a file must not be empty" : ""); });
   app.footer(
