@@ -124,6 +124,8 @@ def test_a_front_begins_with_the_settings_that_are_given(kept):
 @pytest.mark.parametrize("scene, start, message", [
     (changed(feed={"rate": 0.0}, density=1.0), [], "feed.rate"),
     (SCENE, [{THETA: 0.5}], "base.inclination = 0.5: must be 0 to 0.4"),
+    (SCENE, [{"base.inclinatoin": 0.1}], "start: base.inclinatoin: must be one of base.inclination"),
+    (SCENE, {THETA: 0.1}, "start = .base.inclination.: must be a mapping"),
 ])
 def test_what_a_front_cannot_be_made_of(scene, start, message):
     with pytest.raises(ValueError, match=message):
