@@ -21,6 +21,7 @@ from ratchet_sieve.answers.machine import CUT, EMPTY, LEAST_WORKING, Machine
 from ratchet_sieve.answers.surface import OFFSET, Surface
 from ratchet_sieve.plots.findings import best_setting, way_of
 from ratchet_sieve.plots.means import Limits
+from ratchet_sieve.texts import which_way
 
 
 E0 = "species.0.restitution"
@@ -187,6 +188,7 @@ def test_it_says_which_way_and_products_beside_the_feed(answer):
     assert answer.feed.number == {"A": 0.5, "B": 0.5} and answer.feed.mass.A == pytest.approx(10.0 / 11.0)
     assert lines[3].startswith(f"left: A purity {answer.purity.left.mass.A} by mass (feed 0.91), "
                                f"{answer.purity.left.number.A} by number (feed 0.5); recovery ")
+    assert which_way(-0.3, "AB") == "A goes more to the right, B more to the left"  # their shares are not known
     assert answer.plot().get_ylabel() == "separation $s$, above 0: more A to the left"
     shown = data_of(answer._page())
     assert shown["result"] == lines[0] and shown["lines"] == lines[1:] and shown["picture"]["bytes"]
@@ -241,6 +243,10 @@ def test_a_closed_machine_is_judged_by_its_drifts():
         assert str(found).splitlines()[0].endswith(f": {first} drifts to the right of {second}")
     with pytest.raises(ValueError, match="batch: there are no runs of an open machine"):
         found.batch(10)
+    drifts = {"mean_vx.A": 0.1, "mean_vx.B": 0.2, "mean_vx_stderr.A": 0.01}
+    common = {"events": 100.0, "simulated_time": 20.0, "status": "done"}
+    seen = found.machine.observed(pandas.DataFrame([{**common, **drifts, "mean_vx_stderr.B": error} for error in (0.01, np.nan)]))
+    assert seen.value.notna().tolist() == [True, False] and seen.why[1] != ""
 
 
 def test_a_goal_is_any_column_and_another_seed_has_runs_of_its_own(answer):
@@ -567,6 +573,8 @@ def test_an_answer_is_written_as_a_whole_or_not_at_all(answer, name, tmp_path, s
     with small_files, pytest.raises(OSError, match=f"File too large: '.*/{name}'"):
         answer.write(tmp_path / name)
     assert (tmp_path / "good").read_text(encoding="utf-8") == "good" and len(list(tmp_path.iterdir())) == 2
+    with pytest.raises(ValueError, match="must end in .html, .csv, .json, .png, .svg or .pdf"):
+        answer.write(tmp_path / "answer.txt")
     answer.write(tmp_path / name)
     assert (tmp_path / name).is_symlink() and (tmp_path / "good").stat().st_size > 1000
 

@@ -10,11 +10,10 @@ import pandas
 
 from ratchet_sieve.answers.answer import Interval
 from ratchet_sieve.answers.proposal import text_of
-from ratchet_sieve.answers.unknown import Prior, Unknown
+from ratchet_sieve.answers.unknown import LEVEL, Prior, Unknown
 from ratchet_sieve.texts import counted, shown
 from ratchet_sieve.values import Values
 
-LEVEL = 0.95
 TOGETHER = 0.7  # a correlation, above which two keys are known together only
 LITTLE = 0.75   # of an interval over what was known before: hardly anything was learned
 
