@@ -125,11 +125,10 @@ void judgeDisks(SceneDefinition& scene, Plausibility& is)
 {
   const double tooth_width = scene.base.toothWidth();
   const double width = scene.base.width();
-  is.rule(
-      "no-disks", {}, when(disksAtStart(scene) == 0 && !scene.feed.any()), 0.0,
-      "no disks: every species.N.count is 0, initial is empty and feed.rate is 0; a density, if given, is "
-      "too small: the base is # wide and the largest diameter is #",
-      {{width, "m"}, {largestDiameter(scene), "m"}});
+  is.rule("no-disks", {}, when(disksAtStart(scene) == 0 && !scene.feed.any()), 0.0,
+          "no disks: every species.N.count is 0, initial is empty and feed has neither a rate nor a disk; a "
+          "density, if given, is too small: the base is # wide and the largest diameter is #",
+          {{width, "m"}, {largestDiameter(scene), "m"}});
   const double room = relief(scene.base) > 0.0 ? tooth_width : width;
   for (std::size_t i = 0; i < scene.species.size(); ++i)
   {

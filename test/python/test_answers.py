@@ -287,6 +287,13 @@ def test_a_machine_that_works_nowhere_is_an_error():
         rs.separate(changed(feed={"rate": 0.0}, density=1.0, duration=0.05), {THETA: (0.0, 0.1)})
 
 
+def test_a_machine_whose_runs_fail_says_why(monkeypatch):
+    run = Machine.run
+    monkeypatch.setattr(Machine, "run", lambda *a, **k: run(*a, **k).assign(status="failed", error="inelastic collapse"))
+    with pytest.raises(RuntimeError, match="in 11 runs: 11 failed; inelastic collapse"):
+        rs.separate(changed(feed={"rate": 0.0}, density=1.0, duration=0.05), {THETA: (0.0, 0.1)})
+
+
 def test_a_machine_that_works_at_one_setting_says_so():
     with pytest.raises(RuntimeError, match="works at one setting alone, too few for a search"):
         rs.separate(rs.Scene(SCENE).replace({THETA: 0.3}), {"base.frequency": (5.0, 11.16)})

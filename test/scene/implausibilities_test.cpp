@@ -29,8 +29,8 @@ const std::vector<Mistake>& mistakes()
 {
   static const std::vector<Mistake> ALL = {
       {{"species.0.radius=1", "species.1.radius=2"},
-       {"no disks: every species.N.count is 0, initial is empty and feed.rate is 0; a density, if given, is "
-        "too small: the base is 0.4 m wide and the largest diameter is 4 m [no-disks]",
+       {"no disks: every species.N.count is 0, initial is empty and feed has neither a rate nor a disk; a "
+        "density, if given, is too small: the base is 0.4 m wide and the largest diameter is 4 m [no-disks]",
         "species.0.radius = 1 m: the largest diameter, 2 m, is larger than the room for a disk, 0.02 m: a "
         "tooth's width, or a flat base's; did you mean 0.001 m? [large-disk]",
         "species.1.radius = 2 m: the largest diameter, 4 m, is larger than the room for a disk, 0.02 m: a "

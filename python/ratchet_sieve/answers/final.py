@@ -110,7 +110,8 @@ def _search(search, bar, announced):
     while True:
         if not search.assess():
             reasons = whys(search.machine.observed(search.runs)) if len(search.runs) else "none has ended"
-            runs = f"in {counted(len(search.runs), 'run')}: {reasons}"
+            errors = search.runs["error"].dropna()[:1] if "error" in search.runs else ()
+            runs = f"in {counted(len(search.runs), 'run')}: " + "; ".join((reasons, *errors))
             if search.is_late():
                 raise ValueError(f"budget: too small for any answer, of about {duration(announced)}: {runs}")
             works = len(search.runs) and search.machine.observed(search.runs)["value"].notna().any()
