@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Measures what separate() answers and what it costs: several mixtures, each with many seeds, against a dense grid of
-runs with fresh seeds, and against successive halving over a fixed grid (Jamieson and Talwalkar, AISTATS 2016).
+runs with fresh seeds.
 
 Writes data/separate.json and the table in separate.md. Each answer takes one core.
 """
@@ -29,7 +29,6 @@ COLUMNS = {"seeds": "seeds", "cost": "median [s]", "most": "most [s]", "separate
            "held": "held", "lost": "mean loss"}
 STAGE = {THETA: 0.25, F: 18.0, "duration": 300.0}  # of each of two stages of glass and rubber
 STAGES = "two_stages"
-HALVING = ((60.0, 1, 1.0), (120.0, 2, 1.0 / 3.0), (300.0, 3, 0.3), (300.0, 6, 0.375))  # duration [s], seeds, share kept
 
 
 def feeder(*species):
@@ -73,20 +72,6 @@ def best_of_grid(scene, over, is_fed):
     return abs(reference(scene, places, length, 2 * runs, FRESH + 3 * GRID_SEEDS)[0].value)
 
 
-def halving(scene, over, seed):
-    """@return the setting that is left, by the throwaway of which separate() takes the place"""
-    axes = [np.linspace(*over[key], count).round(4) for key, count in zip(over, (12, 7) if len(over) > 1 else (31,))]
-    left = [dict(zip(over, map(float, place))) for place in np.stack(np.meshgrid(*axes), -1).reshape(-1, len(over))]
-    for stage, (duration, seeds, share) in enumerate(HALVING):
-        left = left[:max(round(share * len(left)), 1)]
-        rows = rs.sweep(scene.replace({"duration": duration, "feed.on_choke": "stop"}), cases=left, threads=1,
-                        seeds=(1000 * seed + 10 * stage, seeds), progress=False)
-        means = [abs(part.separation.mean()) if part.separation.notna().all() else 0.0
-                 for part in np.array_split(rows, len(left))]
-        left = [left[k] for k in np.argsort(means)[::-1]]
-    return left[0]
-
-
 def timed(call):
     begin = time.process_time()
     found = call()
@@ -116,13 +101,6 @@ def measure(name, scene, over, seeds):
             "near": f"{sum(each <= WITHIN for each in lost)} of {seeds}"}
 
 
-def measure_halving(scene, over, seeds, best):
-    found = [timed(lambda: halving(scene, over, seed)) for seed in range(1, seeds + 1)]
-    lost = [best - abs(reference(scene, [setting], 600.0, 8)[0].value) for setting, _ in found]
-    return {"seeds": f"{seeds}", "cost": two_digits(statistics.median(cost for _, cost in found)),
-            "near": f"{sum(each <= WITHIN for each in lost)} of {seeds}", "lost": f"{statistics.mean(lost):.3f}"}
-
-
 def measure_two_stages(scene, seeds):
     """Of two like machines, the second one sieving what leaves the first one to the right: by mass, the purity of glass
     at the far end and that of rubber at the others. @return the figures as texts"""
@@ -142,10 +120,9 @@ def lines_of(path):
     """The table's lines, from the figures of all problems that were measured."""
     figures = json.loads((path.parent / "data" / f"{path.stem}.json").read_text(encoding="utf-8"))
     for name, (_, _, words) in problems().items():
-        for method in ("surface", "halving"):
-            found = {key: figures.get(f"{name}.{method}.{key}", "") for key in COLUMNS}
-            if found["cost"]:
-                yield [words, method, *found.values()]
+        found = {key: figures.get(f"{name}.{key}", "") for key in COLUMNS}
+        if found["cost"]:
+            yield [words, *found.values()]
 
 
 def main():
@@ -153,7 +130,6 @@ def main():
     parser.add_argument("--seeds", type=int, default=20, metavar="N", help="of each problem (default: 20)")
     parser.add_argument("--only", nargs="+", metavar="PROBLEM", choices=[*problems(), STAGES],
                         help="measure these alone; the others are kept: " + ", ".join([*problems(), STAGES]))
-    parser.add_argument("--halving", action="store_true", help="measure successive halving as well; minutes")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs", metavar="DIR",
                         help="directory with separate.md (default: docs)")
     options = parser.parse_args()
@@ -167,12 +143,8 @@ def main():
             documents.quote(path, name, measure_two_stages(scene, 48), about)
             continue
         scene, over, _ = problems()[name]
-        found = {f"surface.{key}": text for key, text in measure(name, scene, over, options.seeds).items()}
-        if options.halving:
-            other = measure_halving(scene, over, options.seeds, float(found["surface.best"]))
-            found.update({f"halving.{key}": text for key, text in other.items()})
-        documents.quote(path, name, found, about)
-    documents.put(path, MARK, table(["mixture", "method", *COLUMNS.values()], lines_of(path))
+        documents.quote(path, name, measure(name, scene, over, options.seeds), about)
+    documents.put(path, MARK, table(["mixture", *COLUMNS.values()], lines_of(path))
                   + f"\n\n{origin.text(about)}.")
 
 
