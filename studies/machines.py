@@ -8,10 +8,11 @@ import warnings
 import pandas
 
 import ratchet_sieve as rs
-from ratchet_sieve import documents, origin, plots
+from ratchet_sieve import documents, origin, plots, stats
+from ratchet_sieve.answers.machine import Machine, flow_of
 from ratchet_sieve.places import WORK
 from ratchet_sieve.plots.answer import draw_front
-from ratchet_sieve.texts import plus_minus, table, wrapped
+from ratchet_sieve.texts import counted, plus_minus, table, wrapped
 
 MARK = "machines"
 # Of each mixture its name, what differs from Fig. 9, and the throughput that its best machine has at least [disks/s].
@@ -39,6 +40,7 @@ SEEN = {  # first lines of the scenes: a title, and what one sees
     "mass": "Only the mass differs: disks of one size, 10 g and 1 g, and the machine still tells them apart.",
     "restitution": "Only the bounce differs: dull and bouncy disks of one size and mass part.",
 }
+LONG, FRESH = 200.0, (900_000_000, 8)  # of each run that measures a machine anew [s]; their first seed, their number
 HEADER = """# {seen}
 #
 # {title}:
@@ -47,11 +49,14 @@ HEADER = """# {seen}
 """
 
 
+def scene_of(name):
+    return rs.Scene.load(WORK / "config/paper_fig9.yaml", {"feed.rate": 20.0, "density": 0.0, **MIXTURES[name][1]})
+
+
 def search(name, results, out):
     """@return a Front for each kind; the freer one begins with the best machines of the other"""
-    title, changes, throughput = MIXTURES[name]
-    scene = rs.Scene.load(WORK / "config/paper_fig9.yaml", {"feed.rate": 20.0, "density": 0.0, **changes})
-    fronts, start = {}, []
+    title, _, throughput = MIXTURES[name]
+    scene, fronts, start = scene_of(name), {}, []
     for kind, (over, trials) in KINDS.items():
         fronts[kind] = rs.front(scene, over, trials=trials, start=start, results=results)
         start = [{**VERTICAL, **row} for row in fronts[kind].table[list(over)].to_dict("records")]
@@ -61,19 +66,28 @@ def search(name, results, out):
     return fronts
 
 
-def cell(row):
-    if row is None:
-        return "—"
-    return f"{plus_minus(row['value'], row['value_half_width'])}<br>at " + \
-        plus_minus(row["throughput"], row["throughput_half_width"])
+def known(name, data):
+    """@return what search() returned, from the file that main() wrote then"""
+    rows = data[data.mixture == name]
+    return {kind: rs.Front(Machine(scene_of(name), over),
+                           *(rows[(rows.machines == kind) & (rows.part == part)] for part in ("front", "tried")))
+            for kind, (over, _) in KINDS.items()}
+
+
+def measured(scene):
+    """The separation and the throughput of a machine once it has filled, by long runs with fresh seeds."""
+    rows = rs.sweep(scene.replace({"duration": LONG, "feed.on_choke": "stop"}), seeds=FRESH, progress=False)
+    steady = rows["steady.separation.value"].notna()
+    means = [stats.mean_of(of[steady]) for of in (rows["steady.separation.value"], flow_of(rows))]
+    return "<br>at ".join(plus_minus(abs(mean.value), mean.half_width()) for mean in means) + \
+        ("" if steady.all() else f"<br>in {steady.sum()} of {counted(len(rows), 'run')}")
 
 
 def bests_of(found):
     """The table: of each mixture the best of each kind of machine."""
-    bests = {name: {kind: front.best_row(MIXTURES[name][2]) for kind, front in fronts.items()}
-             for name, fronts in found.items()}
     return table(["separation, at disks/s", *KINDS],
-                [[MIXTURES[name][0], *map(cell, rows.values())] for name, rows in bests.items()])
+                 [[MIXTURES[name][0], *(measured(front.scene(MIXTURES[name][2])) for front in fronts.values())]
+                  for name, fronts in found.items()])
 
 
 def draw(found):
@@ -96,17 +110,23 @@ def main():
                         help="where the runs are kept: the same command continues (default: out/machines.db)")
     parser.add_argument("--out", type=pathlib.Path, default=WORK / "docs", metavar="DIR",
                         help="directory with separate.md (default: docs); scenes go to its neighbour config")
+    parser.add_argument("--again", action="store_true",
+                        help="measure the machines anew that were found before, for the table: minutes")
     options = parser.parse_args()
     page = options.out / "separate.md"
     documents.require_place(parser, page, MARK)
     warnings.simplefilter("ignore", rs.SieveWarning)
-    options.results.parent.mkdir(parents=True, exist_ok=True)
-    found = {name: search(name, options.results, options.out.parent / "config") for name in MIXTURES}
-    pandas.concat([rows.assign(mixture=name, machines=kind, part=part) for name, fronts in found.items()
-                   for kind, front in fronts.items()
-                   for part, rows in (("tried", front.tried), ("front", front.table))]).to_csv(
-        options.out / "data/machines.csv", index=False, float_format="%.6g")
-    plots.save(draw(found), options.out / "images/machines.png", svg=False, bbox_inches="tight")
+    data = options.out / "data/machines.csv"
+    if options.again:
+        found = {name: known(name, pandas.read_csv(data)) for name in MIXTURES}
+    else:
+        options.results.parent.mkdir(parents=True, exist_ok=True)
+        found = {name: search(name, options.results, options.out.parent / "config") for name in MIXTURES}
+        pandas.concat([rows.assign(mixture=name, machines=kind, part=part) for name, fronts in found.items()
+                       for kind, front in fronts.items()
+                       for part, rows in (("tried", front.tried), ("front", front.table))]).to_csv(
+            data, index=False, float_format="%.6g")
+        plots.save(draw(found), options.out / "images/machines.png", svg=False, bbox_inches="tight")
     about = wrapped(f"{origin.text()}.")
     documents.put(page, MARK, f"{bests_of(found)}\n\n{about}")
 

@@ -113,8 +113,10 @@ TEST(Hardship, aScheduleThatIsOverDoesNotMindTheEnd)
     ros::param::set("/usher/" + key, value);
   const NodeLog log("/usher");
   ChildNode usher("schedule.py", {"__name:=usher"});
-  StartedNode started("/finite",
-                      {{"exit_at_end", true}, {"scene/duration", 2.0}, {"real_time_factor", 10.0}});
+  // Paused until the schedule is connected: the run is over in 0.2 s.
+  StartedNode started(
+      "/finite",
+      {{"paused", true}, {"exit_at_end", true}, {"scene/duration", 2.0}, {"real_time_factor", 10.0}});
   EXPECT_EQ(started.node->wait(), 0) << started.node->errors();
   ASSERT_TRUE(waitFor([&] { return log.count("the schedule is over") == 1; }));
   started.start();
