@@ -126,7 +126,7 @@ def main():
     rows, failed = measure_all(arguments.program, arguments.short, arguments.jobs)
     long_rows, long_failed = long_run.measure(arguments.program, 1e4 if arguments.short else 1e6)
     if arguments.write:
-        where = f"{datetime.date.today()}, {machine()}, {arguments.jobs} runs side by side"
+        where = f"{datetime.date.today()}, {machine()}, {arguments.jobs} at a time"
         with open(arguments.write.parent / "data/extremes.csv", "w", encoding="utf-8", newline="") as file:
             csv.writer(file, lineterminator="\n").writerows([HEAD, *([*cells, where] for cells in rows)])
         replace_between(arguments.write, "<!-- long run -->", "<!-- end -->",
