@@ -268,7 +268,7 @@ def by_speed():
         return changed(of(), contact={"min_rebound_speed": 0.0, "restitution_speed": speed,
                                       "restitution_exponent": exponent})
     for speed in (10.0, 2.0, 0.1, 0.01):
-        # The disks reach the base with about 1 m/s. With a v_0 far below that they come to rest, at 1 m/s in some seeds.
+        # The disks reach the base with about 1 m/s. With a v_0 far below that they come to rest, at 1 m/s some do.
         yield "restitution by speed", f"v_0 = {speed:g} m/s, q = 0.75", scene(speed), RUNS if speed >= 2.0 else STOPS
     yield "restitution by speed", "v_0 = 1 m/s, q = 0.2", scene(1.0, 0.2), STOPS
     yield "restitution by speed", "v_0 = 1 m/s, q = 2", scene(1.0, 2.0), RUNS
