@@ -100,7 +100,7 @@ def at_one(part):
                       for theta in ANGLES)
     widths = {d: turn["window"] for d, turn in turns.items() if turn["window"]}
     widest = max(widths, key=lambda d: widths[d].value)
-    said = (f"at {listed(found)}, undecided at {listed(unsure)} ({alone}; the widest interval: "
+    said = (f"at {listed(found)}{f', undecided at {listed(unsure)}' if unsure else ''} ({alone}; the widest interval: "
             f"{widths[widest].text()} rad at d = {widest:g}, and both angles need {NEEDED:.3g})")
     return verdicts.Check("A right and B left at both angles, at one density", said,
                           True if found else None if unsure else False)
