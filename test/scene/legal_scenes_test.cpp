@@ -80,14 +80,21 @@ public:
   int energyChecks() const { return energy_checks_; }
 
 private:
+  static constexpr double ROUNDING = 8.0 * std::numeric_limits<double>::epsilon();
+
   /// How finely a double tells places from each other, and where a disk is at instants that it tells from
   /// each other: neither is finer than this [m].
-  double rounding() const
+  double rounding() const { return ROUNDING * (farthest_ + fastest_ * epoch()); }
+
+  /// A command that makes the drive faster may shorten the epoch. Then flights are counted from another zero,
+  /// with a speed there that is rounded anew [m/s].
+  double speedRounding() const { return ROUNDING * (fastest_ + scene_.gravity * epoch()); }
+
+  /// At least [s].
+  double epoch() const
   {
-    constexpr double ROUNDINGS = 8.0;
     constexpr double SCALES_PER_EPOCH = 128.0;
-    const double epoch = SCALES_PER_EPOCH * timeScale(scene_);
-    return ROUNDINGS * std::numeric_limits<double>::epsilon() * (farthest_ + fastest_ * epoch);
+    return SCALES_PER_EPOCH * timeScale(scene_);
   }
 
   /// Images are treated as equal.
@@ -100,7 +107,7 @@ private:
       way -= std::round(way.dot(lattice) / lattice.squaredNorm()) * lattice;
     RC_ASSERT(way.norm() <= rounding());
     RC_ASSERT(std::abs(a.displacement - b.displacement) <= rounding());
-    RC_ASSERT(a.id == b.id && a.vx == b.vx && a.vy == b.vy);
+    RC_ASSERT(a.id == b.id && std::hypot(a.vx - b.vx, a.vy - b.vy) <= speedRounding());
   }
 
   void take(const CollisionRecord& record)
