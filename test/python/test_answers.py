@@ -17,7 +17,7 @@ from feeder import SCENE, THETA, TWINS, changed
 from ratchet_sieve import stats, tables
 from ratchet_sieve.answers import answer as answer_module
 from ratchet_sieve.answers import cost, final, intervals, search, stages
-from ratchet_sieve.answers.machine import CUT, EMPTY, LEAST_WORKING, Machine
+from ratchet_sieve.answers.machine import CUT, EMPTY, FILLING, LEAST_WORKING, Machine
 from ratchet_sieve.answers.surface import OFFSET, Surface
 from ratchet_sieve.plots.findings import best_setting, way_of
 from ratchet_sieve.plots.means import Limits
@@ -433,9 +433,13 @@ def test_a_run_that_has_not_settled_is_run_again_as_long_as_it_needs_or_given_up
 
     machine, rows = told([row(1, None), row(1, 3), row(1, 60), row(4, 13), row(10, 40), row(40, None), row(1, 3, status="cut"),
                           row(1, None, steady_reason="choked: by 1 s"), steady((29, 0), (30, 60))])
-    units, at_last = machine.longer(rows, machine.observed(rows))
-    assert list(units) == pytest.approx([2.0, 3.3, 4.0, 14.3, np.inf, np.inf, 1.0, np.inf, np.inf])
-    assert list(at_last[:4]) == pytest.approx([2.0, 3.3, 40.0, 14.3])
+    seen = machine.observed(rows).assign(rate=1.0)
+    assert list(machine.longer(rows, seen)) == pytest.approx([2.0, 3.3, 4.0, 14.3, np.inf, np.inf, 1.0, np.inf, np.inf])
+    assert machine.usual_events(seen) == short
+    # Of the run that is to be 40 times as long at last the first step is too costly, too; one that was cut is continued.
+    assert list(machine.longer(rows, seen, 14.5 * short)) == pytest.approx([2.0, 3.3, np.inf, 14.3] + [np.inf] * 2 + [1.0] + [np.inf] * 2)
+    filling = seen.assign(why=FILLING)
+    assert list(machine.longer(rows, filling, 14.5 * short)[:4]) == pytest.approx([2.0, 3.3, np.inf, np.inf])
     assert search.usual_length(machine, rows.iloc[:3]) == pytest.approx(3.3)
     assert search.usual_length(machine, rows.iloc[-1:]) == pytest.approx(40.0 / short)
 

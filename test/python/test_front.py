@@ -108,6 +108,14 @@ def test_settings_that_are_tried_twice_have_their_own_values():
     assert (works.groupby("base.teeth").value.nunique() == 1).all() and works.value.nunique() == 4
 
 
+def test_a_setting_that_fills_up_is_given_up(tmp_path):
+    machine, path = Machine(SCENE, {THETA: (0.0, 0.36), "base.amplitude": (0.001, 0.002)}), tmp_path / "runs.db"
+    places = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 0.5], [1.0, 1.0]])
+    seen = front._seen(machine, places, 1.0, (1, 1), {"results": path})
+    assert list(seen.why) == ["still filling", "", "", ""]
+    assert list(rs.read_sweep(path).duration) == pytest.approx([machine.shortest] * 4, rel=1e-3)
+
+
 def test_unbeaten_points_against_each_pair():
     values, throughputs = np.random.default_rng(1).integers(0, 6, (2, 40)).astype(float)
     beaten = {k for k in range(40) for other in range(40)

@@ -19,7 +19,7 @@ import pandas
 from ratchet_sieve import stats
 from ratchet_sieve.answers.cost import cost_text, short_runs
 from ratchet_sieve.answers.machine import LEAST_WORKING, Machine, flow_of
-from ratchet_sieve.answers.search import BATCH, SEEDS, seed_of
+from ratchet_sieve.answers.search import BATCH, OPEN_COST, SEEDS, seed_of
 from ratchet_sieve.arguments import integer
 from ratchet_sieve.progress import Progress
 from ratchet_sieve.scene import AnyScene
@@ -203,18 +203,19 @@ def _under_way(trials):
 
 
 def _seen(machine, places, duration, seeds, options, show=lambda done: None):
-    """Runs that last longer where they have not settled.
+    """Runs that last longer where they have not settled, unless that is too costly: such a machine fills up.
     @return a row for each place and seed: settings, value, throughput [disks/s], processed, why there is no value"""
     wanted = pandas.DataFrame([machine.settings(place) for place in places])
     once = wanted.drop_duplicates()  # as of whole numbers
     at, lengths = places[once.index], np.full(len(once), duration)
-    parts, left = [None] * len(once), np.arange(len(once))
+    parts, left, most = [None] * len(once), np.arange(len(once)), None
     while len(left):
         rows = machine.run(at[left], machine.shortest * lengths[left], seeds, **options,
                            progress=lambda done, failed, count: show(f"{done + failed} of {count}"))
         for k, part in zip(left, np.split(rows, len(left))):
             parts[k] = part
-        longer = [machine.longer(parts[k], machine.observed(parts[k]))[0] for k in left]
+        most = OPEN_COST * machine.usual_events(machine.observed(rows)) if most is None else most
+        longer = [machine.longer(parts[k], machine.observed(parts[k]), most) for k in left]
         lengths[left] = [max(units[np.isfinite(units)], default=np.inf) for units in longer]
         left = left[np.isfinite(lengths[left])]
     rows = pandas.concat(parts, ignore_index=True)

@@ -21,6 +21,7 @@ LEAST_RESIDENCES = 8.0  # a shorter one may not settle
 LONGEST = 40.0         # such a run over the shortest one
 GROWTH = 4.0           # a run that has not settled is run again longer by so much at most
 MARGIN = 1.1           # of such a run's length, over what the run before it says is needed
+GROWS = 2.0            # what a second costs once the machine has filled, over what it costs while it fills
 FEWEST = 5             # disks of each species that must have left a poured machine
 LEAST_WORKING = 0.8    # of the runs that judge a setting, which must say something
 LEAST_PROCESSED = 0.5  # P of a poured machine that works
@@ -221,19 +222,25 @@ class Machine:
         seen.loc[seen["why"] != "", ["value", "variance"]] = np.nan
         return seen
 
-    def longer(self, rows, seen):
+    def longer(self, rows, seen, most=np.inf):
         """How long a run must be that may say more than each one has, over the shortest; infinite where none may: it
-        says all, or it is to be too long by what a run of a quarter of the longest shows.
-        @return that, and how long it is to become at last"""
+        says all, or it is to be too long by what a run of a quarter of the longest shows, or too costly.
+        @param most events that such a run may take"""
         if self.kind != "fed":
-            units = np.where(seen["open"], 1.0, np.inf)
-            return units, units
-        last, needed = (values.to_numpy() / self.shortest for values in (rows["duration"], MARGIN * seen["needs"]))
-        units = np.minimum(np.fmax(2.0 * last, np.minimum(needed, GROWTH * last)), LONGEST)
-        too_long = (last >= (1.0 - 1e-9) * LONGEST) | (last >= (1.0 - 1e-9) * LONGEST / GROWTH) & (needed > LONGEST)
-        units = np.where(seen["why"] == CUT, last, np.where(too_long, np.inf, units))
-        units = np.where(seen["open"], units, np.inf)
-        return units, np.fmax(units, np.minimum(needed, LONGEST))
+            units = at_last = np.where(seen["open"], 1.0, np.inf)
+        else:
+            last, needed = (values.to_numpy() / self.shortest for values in (rows["duration"], MARGIN * seen["needs"]))
+            units = np.minimum(np.fmax(2.0 * last, np.minimum(needed, GROWTH * last)), LONGEST)
+            too_long = (last >= (1.0 - 1e-9) * LONGEST) | (last >= (1.0 - 1e-9) * LONGEST / GROWTH) & (needed > LONGEST)
+            units = np.where(seen["why"] == CUT, last, np.where(too_long, np.inf, units))
+            units = np.where(seen["open"], units, np.inf)
+            at_last = np.fmax(units, np.minimum(needed, LONGEST))
+        events = np.where(seen["why"] == FILLING, GROWS, 1.0) * at_last * self.shortest * seen["rate"]
+        return np.where((events <= most) | (seen["why"] == CUT), units, np.inf)
+
+    def usual_events(self, seen):
+        """Of a run of the shortest duration: the upper quartile."""
+        return self.shortest * float(np.quantile(seen["rate"], 0.75))
 
     def _observed_closed(self, rows, seen):
         seen["variance"] = 1.0

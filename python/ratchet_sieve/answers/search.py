@@ -12,7 +12,7 @@ import time
 import numpy as np
 import pandas
 
-from ratchet_sieve.answers.machine import CUT, FILLING, LEAST_RESIDENCES, LONGEST, RESIDENCES
+from ratchet_sieve.answers.machine import CUT, LEAST_RESIDENCES, LONGEST, RESIDENCES
 from ratchet_sieve.answers.places import spread
 from ratchet_sieve.answers.surface import Surface
 from ratchet_sieve.arguments import integer
@@ -29,8 +29,7 @@ COSTLIEST = 200.0  # events that a simulated second may take, over the median of
 SHAPE = ("base.teeth", "base.tooth", "base.asymmetry", "base.length", "base.phase")  # does not decide what is thrown
 RATES = 20.0      # scale of the logarithm of that: of its surface over the ranges
 RATES_VARIANCE = 0.1  # of what one run says of it
-OPEN_COST = 20.0  # of a run where the machine has not settled, over the upper quartile of the first runs
-GROWS = 2.0       # what a second costs once the machine has filled, over what it costs while it fills
+OPEN_COST = 20.0  # of a run where the machine has not settled, over Machine.usual_events() of others
 LONG_COST = 50.0  # of a run that is longer than the shortest, over the median of the first runs
 UNSEEN_COST = 8.0  # the same where no run has been: the machine may fill up there
 SEEDS = 1_000_000  # of the scenes between two seeds of the search; the second half of them is for fresh runs
@@ -119,11 +118,8 @@ class Search:
         return np.array(open_), [last[k] for k in open_]
 
     def _longer(self, seen):
-        """Machine.longer() of each run; infinite as well where that is too costly."""
-        (units, at_last), rate = self.machine.longer(self.runs, seen), seen["rate"].to_numpy()
-        grows = np.where(seen["why"] == FILLING, GROWS, 1.0)
-        fits = grows * at_last * rate <= OPEN_COST * np.quantile(rate[:len(self.first())], 0.75)
-        return np.where(fits | (seen["why"] == CUT), units, np.inf)
+        """Machine.longer() of each run."""
+        return self.machine.longer(self.runs, seen, OPEN_COST * self.machine.usual_events(seen.head(len(self.first()))))
 
     def _run(self, places, durations, seeds, *others):
         budget = None if self.deadline is None else max(self.deadline - time.monotonic(), 0.0)
@@ -332,7 +328,7 @@ def usual_length(machine, rows):
     """How long a run must be in the middle of some of a fed machine, over the shortest."""
     if machine.kind != "fed" or not len(rows):
         return 1.0
-    units = machine.longer(rows, machine.observed(rows))[0]
+    units = machine.longer(rows, machine.observed(rows))
     return max(float(np.median(np.where(np.isfinite(units), units, rows["duration"] / machine.shortest))), 1.0)
 
 
