@@ -144,7 +144,7 @@ public:
               reportJson(result);
               writeTables(result, directory);
               if (with_page)
-                page_->write(directory + "/page.html", "fuzz", {});
+                page_->write(directory + "/page.html", "fuzz", nlohmann::ordered_json::object());
             });
   }
 
