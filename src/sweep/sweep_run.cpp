@@ -232,7 +232,7 @@ void requirePlanned(const ResultStore& part, const std::set<std::string>& planne
   {
     if (planned.count(select.text(0)) == 0)
       throw DatabaseError(path + ": has a result of no case of " + sweep.source + ": run_hash " +
-                          select.text(0));
+                          shownText(select.text(0)));
     if (select.integer(1) == 0)
       throw DatabaseError(path + ": has a result of another physics version than " +
                           std::to_string(PHYSICS_VERSION) + ": run_hash " + select.text(0));

@@ -156,8 +156,11 @@ TEST_F(SieveSweep, MergesNothingIfAFileHasOtherResults)
     EXPECT_EQ(errors().find('\n'), errors().size() - 1) << errors();
     EXPECT_FALSE(std::filesystem::exists(directory_ / "s.db"));
   };
-  expect_refusal({part, directory_ / "other.db"},
-                 (directory_ / "other.db") + ": has a result of no case of " + file + ": run_hash ");
+  Database(directory_ / "other.db", Database::Access::WRITE)
+      .execute("UPDATE cases SET run_hash = 'of two' || char(10) || 'lines'");
+  expect_refusal(
+      {part, directory_ / "other.db"},
+      (directory_ / "other.db") + ": has a result of no case of " + file + ": run_hash of two lines\n");
   expect_refusal({part, file}, file + ": file is not a database\n");
   expect_refusal({part, directory_ / "none.db"},
                  (directory_ / "none.db") + ": no such file; sieve_sweep run makes it\n");
