@@ -289,7 +289,8 @@ def test_a_machine_that_works_nowhere_is_an_error():
 
 def test_a_machine_whose_runs_fail_says_why(monkeypatch):
     run = Machine.run
-    monkeypatch.setattr(Machine, "run", lambda *a, **k: run(*a, **k).assign(status="failed", error="inelastic collapse"))
+    monkeypatch.setattr(Machine, "run", lambda *a, **k: run(*a, **k).assign(
+        status="failed", error="inelastic collapse", events=np.nan))
     with pytest.raises(RuntimeError, match="in 11 runs: 11 failed; inelastic collapse"):
         rs.separate(changed(feed={"rate": 0.0}, density=1.0, duration=0.05), {THETA: (0.0, 0.1)})
 
@@ -414,12 +415,13 @@ def test_runs_that_say_nothing_say_why():
                           {"steady_reason": "still filling: 515 inside after 240 s and rising"},
                           {"steady_reason": "choked: by 12 s", "simulated_time": 12.0},
                           {"steady_reason": "too short: 3 s", "simulated_time": 3.0, "status": "cut"},
-                          {"status": "failed"}])
+                          {"status": "failed", "events": None, "simulated_time": None}])
     seen = machine.observed(rows)
     assert list(seen.why) == ["", EMPTY, "still filling", "choked", CUT, "failed"]
     assert list(seen.open) == [False, False, True, False, True, False]
     assert seen.value[0] == 1.0 and 0.0 < seen.variance[0] < 0.01 and seen.value[1:].isna().all()
     assert seen.residence[0] == 2.0
+    assert seen.rate[5] == seen.rate[4] == 101.0 / 3.0  # of a run that ended its process, the highest
     assert cost.whys(seen.iloc[[1, 1, 3]]) == f"2 {EMPTY}, 1 choked"
 
 
@@ -435,11 +437,10 @@ def test_a_run_that_has_not_settled_is_run_again_as_long_as_it_needs_or_given_up
                           row(1, None, steady_reason="choked: by 1 s"), steady((29, 0), (30, 60))])
     seen = machine.observed(rows).assign(rate=1.0)
     assert list(machine.longer(rows, seen)) == pytest.approx([2.0, 3.3, 4.0, 14.3, np.inf, np.inf, 1.0, np.inf, np.inf])
-    assert machine.usual_events(seen) == short
     # Of the run that is to be 40 times as long at last the first step is too costly, too; one that was cut is continued.
-    assert list(machine.longer(rows, seen, 14.5 * short)) == pytest.approx([2.0, 3.3, np.inf, 14.3] + [np.inf] * 2 + [1.0] + [np.inf] * 2)
-    filling = seen.assign(why=FILLING)
-    assert list(machine.longer(rows, filling, 14.5 * short)[:4]) == pytest.approx([2.0, 3.3, np.inf, np.inf])
+    most = 14.5 * machine.usual_events(seen.assign(rate=[np.nan] + [1.0] * 8))
+    assert list(machine.longer(rows, seen, most)) == pytest.approx([2.0, 3.3, np.inf, 14.3, np.inf, np.inf, 1.0, np.inf, np.inf])
+    assert list(machine.longer(rows, seen.assign(why=FILLING), most)[:4]) == pytest.approx([2.0, 3.3, np.inf, np.inf])
     assert search.usual_length(machine, rows.iloc[:3]) == pytest.approx(3.3)
     assert search.usual_length(machine, rows.iloc[-1:]) == pytest.approx(40.0 / short)
 

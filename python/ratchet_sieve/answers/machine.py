@@ -219,6 +219,7 @@ class Machine:
         cut = _column(rows, "status") == "cut"
         seen.loc[cut & (seen["why"] != ""), ["why", "open"]] = CUT, True
         seen.loc[_column(rows, "status") == "failed", "why"] = FAILED
+        seen["rate"] = seen["rate"].fillna(seen["rate"].max()).fillna(1.0)  # of a run that ended its process
         seen.loc[seen["why"] != "", ["value", "variance"]] = np.nan
         return seen
 
@@ -240,7 +241,7 @@ class Machine:
 
     def usual_events(self, seen):
         """Of a run of the shortest duration: the upper quartile."""
-        return self.shortest * float(np.quantile(seen["rate"], 0.75))
+        return self.shortest * float(seen["rate"].quantile(0.75))
 
     def _observed_closed(self, rows, seen):
         seen["variance"] = 1.0
