@@ -13,6 +13,7 @@ Parameters:
 """
 
 import math
+import os
 import signal
 import subprocess
 import sys
@@ -35,6 +36,7 @@ TEETH = 10
 TEETH_WIDTH = 1.05   # of their picture [widths of the teeth]
 TEETH_MIDDLE = 0.35  # their height above its lower edge [its heights]
 
+RUN = '--run'  # the first argument of this program when it runs RViz: the others are the command
 STARTS = 3  # of RViz, if it crashes
 
 VIEWS = {'machine': 'Whole machine', 'teeth': 'Ten teeth in the middle'}
@@ -118,8 +120,9 @@ def main():
     if rospy.get_param('~fit', True):
         path = fitted(path, display, view)
     rospy.signal_shutdown('RViz takes its name')
-    sys.exit(run(['rviz', '-d', path, *sys.argv[2:],
-                  *(f'/sieve/{topic}:={display}/{topic}' for topic in ('markers', 'cloud'))]))
+    # A new process image: the server that rospy leaves behind polls a closed socket and occupies a core.
+    os.execv(sys.executable, [sys.executable, __file__, RUN, 'rviz', '-d', path, *sys.argv[2:],
+                              *(f'/sieve/{topic}:={display}/{topic}' for topic in ('markers', 'cloud'))])
 
 
 if __name__ == '__main__':
@@ -127,6 +130,8 @@ if __name__ == '__main__':
         print(__doc__)
         sys.exit()
     try:
+        if sys.argv[1] == RUN:
+            sys.exit(run(sys.argv[2:]))
         main()
     except OSError as error:
         sys.exit(f'fitted_rviz.py: {error.filename or "rviz"}: {error.strerror}')
