@@ -34,9 +34,11 @@ def main():
             sys.exit(f'conveyor: {name} is missing: the name of a sieve')
     side, belt = rospy.get_param('~side', 'right'), queue.Queue()
     target = rospy.resolve_name(rospy.get_param('~to'))
+    # Before it waits: what leaves meanwhile is poured, too.
+    rospy.Subscriber(rospy.resolve_name(rospy.get_param('~from')) + '/exits', DiskExit, belt.put)
+    rospy.loginfo('conveyor: pours once %s has its service pour', target)
     rospy.wait_for_service(f'{target}/pour')
     pour = rospy.ServiceProxy(f'{target}/pour', PourDisks)
-    rospy.Subscriber(rospy.resolve_name(rospy.get_param('~from')) + '/exits', DiskExit, belt.put)
     while not rospy.is_shutdown():
         disks = [belt.get() for _ in range(belt.qsize())]
         for species, count in collections.Counter(disk.species for disk in disks if disk.side == side).items():
@@ -51,4 +53,7 @@ def main():
 
 
 if __name__ == '__main__':
-    main()
+    try:
+        main()
+    except rospy.ROSInterruptException:
+        pass

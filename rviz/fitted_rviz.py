@@ -79,11 +79,13 @@ def fit(config, markers, view):
 
 def only_display():
     """The node that draws a sieve, once there is one."""
-    while True:
+    rospy.loginfo('RViz opens as soon as a sieve is drawn')
+    while not rospy.is_shutdown():
         for topic, kind in sorted(rospy.get_published_topics()):
             if kind == MarkerArray._type and topic.endswith('/markers'):
                 return topic[:-len('/markers')]
         time.sleep(0.1)
+    raise rospy.ROSInterruptException('no sieve was drawn')
 
 
 def fitted(path, display, view):
@@ -99,13 +101,19 @@ def fitted(path, display, view):
 
 
 def run(command):
-    """Runs RViz, which gets the signals of this process group. It may crash as it opens, where the X server
-    does not know its window yet. @return its exit status"""
+    """Runs RViz, and hands signals on to it. It may crash as it opens, where the X server does not know its window
+    yet. @return its exit status"""
     received = []
-    for request in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(request, lambda number, _: received.append(number))
+
+    def hand_on(number, _):
+        received.append(number)
+        rviz.send_signal(number)
+
     for _ in range(STARTS):
-        status = subprocess.call(command)
+        rviz = subprocess.Popen(command)
+        for request in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(request, hand_on)
+        status = rviz.wait()
         if received or status not in (-signal.SIGSEGV, -signal.SIGABRT):
             break
     return status
@@ -119,6 +127,8 @@ def main():
     display = rospy.resolve_name(rospy.get_param('~display', 'sieve') or only_display())
     if rospy.get_param('~fit', True):
         path = fitted(path, display, view)
+    if rospy.is_shutdown():
+        return
     rospy.signal_shutdown('RViz takes its name')
     # A new process image: the server that rospy leaves behind polls a closed socket and occupies a core.
     os.execv(sys.executable, [sys.executable, __file__, RUN, 'rviz', '-d', path, *sys.argv[2:],
