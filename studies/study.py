@@ -7,7 +7,7 @@ from ratchet_sieve.texts import span
 
 # Keys of sweeps.
 THETA, F, TEETH, A = "base.inclination", "base.frequency", "base.teeth", "base.asymmetry"
-D, E = "density", "species.0.restitution"
+D, E, V_MIN = "density", "species.0.restitution", "contact.min_rebound_speed"
 
 
 def means(rows, field, *keys):

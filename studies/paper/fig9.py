@@ -92,13 +92,13 @@ def wider(numbers):
     wide = min((place for place in emptied(numbers) if place[0] == longest),  # with most nearly as many disks
                key=lambda place: abs(place[0] * place[1] - short[0] * short[1]))
     return verdicts.above(f"Q at the best θ of {wide[0]:g} teeth, d = {wide[1]:g}, less that of {short[0]:g} teeth, "
-                          f"d = {short[1]:g}, is above 0 (P > {EMPTY:g} of both)",
+                          f"d = {short[1]:g}, is above 0 (P > {EMPTY:g} for both)",
                           best[wide].mean.minus(best[short].mean))
 
 
 def claims(numbers):
     return [verdicts.Claim("8", "Fig. 9", "Q over θ has a maximum at some θ, and is higher for low d", (
-                verdicts.counted(f"Q is higher at its best θ than at the ends, of all curves that reach {FAR:g} rad "
+                verdicts.counted(f"Q is higher at its best θ than at the ends, for all curves that reach {FAR:g} rad "
                                  "beyond it", peaked(numbers)).about("a maximum"),
                 *(order(numbers, teeth) for teeth in compared_lengths(numbers)))),
             verdicts.Claim("9", "3.2.2", "many disks are segregated better where the system is wider, and d lower for "
@@ -123,7 +123,7 @@ def best_table(numbers):
         if density in (densities_on(numbers, teeth)[0], densities_on(numbers, teeth)[-1]):
             lines.append([f"{teeth:g}", f"{density:g}", f"{best.at:g}", told(best.mean), best.mean.count,
                           f"{there['P']:.2f}", f"{there['left']:.0f}"])
-    return table(["teeth", "d", "best θ [rad]", "best Q", "n", "P at that θ", "out"], lines)
+    return table(["teeth", "d", "best θ [rad]", "best Q", "n", "P at that θ", "disks out"], lines)
 
 
 def tables(numbers):
@@ -138,8 +138,9 @@ def tables(numbers):
 def text(numbers):
     return "\n\n".join((
         "The paper gives neither the length of its base nor its densities. It plots P: at some θ not all of its disks "
-        "had left after 100 s. Here that is so on 300 teeth (\"out\" counts the disks that left). For the best Q one "
-        "half of the seeds chooses θ and the other half gives Q, both ways, n in all; θ and P are those of all seeds.",
+        "had left after 100 s. Here that is so on 300 teeth: Q there is of the disks that left first. For the best "
+        "Q one half of the seeds chooses θ and the other half gives Q, both ways, n in all; θ and P are those of all "
+        "seeds.",
         best_table(numbers), apart(numbers)))
 
 

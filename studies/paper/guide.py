@@ -107,7 +107,8 @@ def guided(numbers):
     for density in (min(fig9.densities_on(numbers, teeth)), densest(numbers, teeth)):
         best = numbers["best"][teeth, density].mean
         there = dict(numbers["Q"][teeth, density]).get(theta)
-        says = f"{teeth:g} teeth, d = {density:g}: Q at single disks' best θ, {theta:g}, above {ENOUGH:g} of the best Q"
+        says = (f"{teeth:g} teeth, d = {density:g}: Q at single disks' best θ, {theta:g}, above {ENOUGH:g} of the best "
+                "Q, which halves of the seeds choose")
         check = verdicts.Check(says, "—", None) if there is None else verdicts.Check(
             says, f"{there.text()} against {best.text()}", there.minus(best.scaled(ENOUGH)).surely_above(0.0))
         yield check.about(f"the best θ at d = {density:g}")

@@ -68,11 +68,11 @@ def claims(numbers):
     best, window = numbers[REFERENCE]["best"].mean, numbers[REFERENCE]["window"]
     text = "the same r with different m, or the same m with different r, segregates worse than the mixture of Fig. 8"
     return [verdicts.Claim("7", "3.2.1", text, (
-                verdicts.counted(f"Q at the best θ is lower than that mixture's, {verdicts.shown(best, 1, '')}",
+                verdicts.counted(f"Q at the best θ is lower than Fig. 8's, {verdicts.shown(best, 1, '')}",
                                  worse(numbers)),)),
-            verdicts.Claim("A5", "3.2.1", "on a periodic base of 10 teeth the species of those mixtures go "
-                           "opposite ways in a narrower interval of θ", (
-                verdicts.counted("the interval is narrower than that mixture's, "
+            verdicts.Claim("A5", "3.2.1", "on a periodic base of 10 teeth the species of claim 7's mixtures go "
+                           "opposite ways in a narrower interval of θ than Fig. 8's", (
+                verdicts.counted("the interval is narrower than Fig. 8's, "
                                  f"{verdicts.shown(window, 1, 'rad') if window else '—'}", narrower(numbers)),))]
 
 

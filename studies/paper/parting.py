@@ -100,8 +100,9 @@ def at_one(part):
                       for theta in ANGLES)
     widths = {d: turn["window"] for d, turn in turns.items() if turn["window"]}
     widest = max(widths, key=lambda d: widths[d].value)
-    said = (f"at {listed(found)}{f', undecided at {listed(unsure)}' if unsure else ''} ({alone}; the widest interval: "
-            f"{widths[widest].text()} rad at d = {widest:g}, and both angles need {NEEDED:.3g})")
+    said = (f"at {listed(found)} of {len(turns)}{f', undecided at {listed(unsure)}' if unsure else ''} ({alone}; the "
+            f"widest interval, at d = {widest:g}, begins at {turns[widest]['B'].text()} and is {widths[widest].text()} "
+            f"rad wide; both angles need {NEEDED:.3g})")
     return verdicts.Check("A right and B left at both angles, at one density", said,
                           True if found else None if unsure else False)
 

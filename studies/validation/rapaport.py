@@ -1,6 +1,6 @@
 """Large and small disks of one material in a layer on a level base (Rapaport 2001)."""
 from ratchet_sieve import plots
-from study import D, E, F, Picture, Study, axis, csv_lines, kind_curves, ways
+from study import D, E, F, V_MIN, Picture, Study, axis, csv_lines, kind_curves, ways
 import verdicts
 
 KINDS = ("small", "large")
@@ -37,16 +37,16 @@ def text(numbers):
     means = numbers["means"]
     found = sum(bool(verdicts.opposite(*pair)) for pair in means.values())
     return (f"In the search they surely go opposite ways at {found} of {len(means)} settings (e, f, d). The checks "
-            "are at the setting that came nearest to it. The rebound floor of the search, 0.05 m/s, is above 0.6 √(g r) "
-            "of the small disks: `sieve_run` warns of that.")
+            "are at the setting that came nearest to it. The floor of the search is above 0.6 √(g r) of the small "
+            "disks, too.")
 
 
 STUDY = Study("rapaport", "Large and small disks in a layer (Rapaport 2001)",
               ("validation_rapaport", "validation_rapaport_fresh"),
               lambda rows: {"means": ways(rows["validation_rapaport"], E, F, D),
-                            "fresh": ways(rows["validation_rapaport_fresh"], "contact.min_rebound_speed")},
-              (Picture("rapaport", "Mean velocities of small (0.5 mm) and large (1 mm) disks in a layer over its "
-                       "thickness, on steep teeth; bars: standard errors over the seeds", draw,
+                            "fresh": ways(rows["validation_rapaport_fresh"], V_MIN)},
+              (Picture("rapaport", "Mean velocities of small (radius 0.5 mm) and large (1 mm) disks in a layer over "
+                       "its thickness, on steep teeth; bars: standard errors over the seeds", draw,
                        ("validation_rapaport",)),),
               claims, text,
               tables=lambda numbers: {"rapaport": csv_lines(
