@@ -32,7 +32,8 @@ def ratio(over, under):
 
 
 def tables(layers, rounds, about):
-    yield f'{origin.text(about)}; medians of {rounds} rounds, in turns; in brackets those of each half of the rounds.'
+    yield (f'{origin.text(about)}; medians of {rounds} rounds, in turns; in brackets those of each half of the rounds, '
+           'between which a ratio of medians need not lie.')
     yield ''
     lines = []
     for teeth, disks in LAYERS:

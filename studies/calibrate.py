@@ -59,8 +59,8 @@ def problems():
     """@return map from the name to the feeder, what is unknown, what the calibration does not know, further settings,
     and words"""
     one, two = feeder(("A", 0.0015, 2500)), feeder(("A", 0.001, 2500), ("B", 0.0015, 1100))
-    return {"one": (one, ONE, {}, [], "three coefficients of one kind"),
-            "two": (two, TWO, {}, [], "five of two kinds"),
+    return {"one": (one, ONE, {}, [], "three coefficients of one species"),
+            "two": (two, TWO, {}, [], "five of two species"),
             "amplitude": (one, {**ONE, AMPLITUDE: (0.0016, 0.0024)}, {}, [SLOW], "three, and the amplitude"),
             "wrong": (one, ONE, {AMPLITUDE: WRONG * 0.002}, [SLOW], "three; the amplitude is 10 % wrong")}
 

@@ -34,7 +34,7 @@ ANY = {**PAPER, "base.asymmetry": (0.0, 0.5), "base.tooth_height": (0.002, 0.018
 KINDS = {"the paper's teeth and drive": (PAPER, 48), "any teeth, driven obliquely as well": (ANY, 120)}
 VERTICAL = {"base.horizontal_amplitude": 0.0, "base.horizontal_phase": 0.0}  # of the paper's drive
 SEEN = {  # first lines of the scenes: a title, and what one sees
-    "fig9": "Two kinds climb apart: small heavy disks walk up the sawtooth to the right, large light ones come down to "
+    "fig9": "Two species climb apart: small heavy disks walk up the sawtooth to the right, large light ones come down to "
             "the left.",
     "friction": "Only the friction differs: smooth and rough disks of one size and mass part.",
     "mass": "Only the mass differs: disks of one size, 10 g and 1 g, and the machine still tells them apart.",

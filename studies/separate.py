@@ -47,7 +47,7 @@ def problems():
         "glass_rubber": (beads, RANGES, "glass and rubber, fed"),
         "mass": (feeder(grains("light", mass=4e-5), grains("heavy", mass=4e-4)), RANGES, "0.04 g and 0.4 g, fed"),
         "fig9": (fig9, {THETA: (-0.3, 0.3)}, "mixture of Fig. 9, poured"),
-        "twins": (feeder(grains("one", mass=4e-5), grains("two", mass=4e-5)), RANGES, "two of one kind, fed"),
+        "twins": (feeder(grains("one", mass=4e-5), grains("two", mass=4e-5)), RANGES, "two alike species, fed"),
     }
 
 

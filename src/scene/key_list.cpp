@@ -63,7 +63,7 @@ std::vector<KeyGroup> sceneKeyGroups()
       groupOf("base", "the base, a sawtooth or a profile, and its drive", BASE_KEYS, LENGTH_KEYS),
       groupOf("base.harmonics.N", "a list of sines of multiples of the drive frequency, added to the drive",
               HARMONIC_KEYS),
-      groupOf("species.N", "a list of one or more kinds of disks", SPECIES_KEYS, SHARE_KEYS, MATERIAL_KEYS,
+      groupOf("species.N", "a list of one or more species", SPECIES_KEYS, SHARE_KEYS, MATERIAL_KEYS,
               COEFFICIENT_KEYS),
       groupOf("species.N.size", "the sizes of a species' disks, where they are not all equal", SIZE_KEYS,
               SPREAD_KEYS, TABLE_KEYS),
