@@ -108,7 +108,8 @@ def main():
     plots.save(draw(table), options.out / "images/control.png", svg=False, bbox_inches="tight")
     about = wrapped(f"[control.csv](data/control.csv): means of {options.machines} machines of {SLICES} slices "
                     f"each, over {EPISODE:g} s: what takes as long does not settle. {origin.text()}.")
-    documents.put(page, MARK, f"![Overshoot and time to settle over the delay](images/control.png)\n\n{about}")
+    picture = "![Overshoot and time to settle over the delay; bars: standard errors over the machines](images/control.png)"
+    documents.put(page, MARK, f"{picture}\n\n{about}")
 
 
 if __name__ == "__main__":

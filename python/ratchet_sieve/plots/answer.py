@@ -40,8 +40,12 @@ def draw_front(front, axes=None, color=COLOURS[0], name="front, fresh seeds"):
 
 
 def _silent(axes, answer, x, y=None):
-    """The runs that give no answer, by why: at their settings, or at the lower edge."""
-    for k, (why, rows) in enumerate(answer.runs[answer.seen.why != ""].groupby(answer.seen.why)):
+    """The settings of which no run gives an answer, by why the last one does not; or at the lower edge."""
+    works = answer.seen.why == ""
+    keys = answer.machine.keys
+    silent = ~works.groupby([answer.runs[key] for key in keys]).transform("any")
+    last = answer.runs[silent].drop_duplicates(keys, keep="last")
+    for k, (why, rows) in enumerate(last.groupby(answer.seen.why[last.index])):
         at = {} if y else {"transform": axes.get_xaxis_transform()}
         axes.plot(rows[x], rows[y] if y else np.full(len(rows), 0.02), SILENT[k % len(SILENT)], color="black",
                   markersize=5, label=why, **at)
@@ -60,7 +64,7 @@ def _curve(axes, answer, key):
         axes.plot(surface[key][good], surface.value[good], color=COLOURS[1], linewidth=4, label="as good as the best")
         axes.errorbar(answer.best[key], answer.separation.value, answer.separation.half_width, color="black", fmt="*",
                       markersize=9, capsize=2, zorder=5, label="fresh seeds")
-    axes.plot(answer.runs[key], answer.seen.value, label="runs", **RUNS)
+    axes.plot(answer.runs[key], answer.seen.value, label="settled", **RUNS)
     _silent(axes, answer, key)
     axes.set_ylabel(_goal(answer))
     axes.legend()
@@ -75,7 +79,7 @@ def _map(axes, answer, x, y):
     xs, ys = table.columns.to_numpy(float), table.index.to_numpy(float)
     value_map(axes, _edges(xs), _edges(ys), table.to_numpy(), _goal(answer))
     works = answer.seen.why == ""
-    axes.plot(answer.runs[x][works], answer.runs[y][works], label="runs", **RUNS)
+    axes.plot(answer.runs[x][works], answer.runs[y][works], label="settled", **RUNS)
     _silent(axes, answer, x, y)
     if answer.best:
         good = answer.map.pivot(index=y, columns=x, values="as_good").to_numpy(float)
