@@ -1,6 +1,8 @@
 """Many runs, and the results files that sieve_sweep writes."""
 from __future__ import annotations
 
+import contextlib
+import fcntl
 import json
 import os
 import pathlib
@@ -141,18 +143,19 @@ def read_sweep(path: Union[str, os.PathLike]) -> pandas.DataFrame:
 def _read(path: str, query: str, parameters: tuple) -> pandas.DataFrame:
     import pandas
 
-    file = pathlib.Path(path).absolute()
-    # A connection for reading alone would leave an empty log beside the file. In a folder that cannot be written no log
-    # can be made, and nobody writes the file.
-    mode = "mode=rw" if os.access(file.parent, os.W_OK) or os.path.exists(f"{file}-wal") else "immutable=1"
+    file = pathlib.Path(path).resolve()
+    mode = "mode=rw"  # a connection for reading alone would leave an empty log beside the file
     try:
-        connection = sqlite3.connect(f"{file.as_uri()}?{mode}", uri=True)
-        try:
+        with contextlib.ExitStack() as opened:
+            if not (os.access(file.parent, os.W_OK) and os.access(file, os.W_OK)):
+                # A log cannot be made, or would keep the file's owner from writing. With SQLite's lock of a reader, a
+                # writer that ends does not remove its own.
+                fcntl.lockf(opened.enter_context(open(file, "rb")), fcntl.LOCK_SH, 510, 0x40000002)
+                mode = "mode=ro&readonly_shm=1" if os.path.exists(f"{file}-wal") else "immutable=1"
+            connection = opened.enter_context(contextlib.closing(sqlite3.connect(f"{file.as_uri()}?{mode}", uri=True)))
             cursor = connection.execute(query, parameters)
             table = pandas.DataFrame.from_records(
                 cursor.fetchall(), columns=[column[0] for column in cursor.description], coerce_float=True)
-        finally:
-            connection.close()
         # SQLite has a seed of 2**63 or more as a text; version 1.0 rounded it, but for the summary's.
         if "seed" in table and len(table) and table["seed"].dtype.kind != "i":
             table["seed"] = [json.loads(summary)["seed"] if summary else int(seed)
@@ -163,5 +166,5 @@ def _read(path: str, query: str, parameters: tuple) -> pandas.DataFrame:
         undefined = table.columns[table.isna().all()].drop("error", errors="ignore")
         parts = table.drop(columns=undefined), table[undefined].astype(float)  # column by column takes ten times as long
         return pandas.concat(parts, axis=1)[list(table)].copy()
-    except sqlite3.Error as error:
+    except (OSError, sqlite3.Error) as error:
         raise ResultsError(f"{path}: no results of a sweep: {error}") from error

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include "ratchet_sieve/scene/shown_text.h"
 
@@ -108,9 +109,21 @@ void Database::open(const std::string& name, int flags)
   sqlite3_busy_timeout(connection_, BUSY_TIMEOUT);
 }
 
-/// The write-ahead log needs a file beside the database, even for a reader.
+/// The write-ahead log needs files beside the database, even for a reader. Those of one who may not write the
+/// database would keep its owner from writing: they are read where they are there, and not made.
 bool Database::needsWritableDirectory() const
 {
+  const std::string name = sqlite3_db_filename(connection_, "main");
+  if (::access(name.c_str(), W_OK) != 0)
+  {
+    sqlite3_file* file = nullptr;
+    sqlite3_file_control(connection_, "main", SQLITE_FCNTL_FILE_POINTER, &file);
+    // With this lock of a reader, a writer that ends does not remove its own.
+    for (int k = 0; k < BUSY_TIMEOUT && file->pMethods->xLock(file, SQLITE_LOCK_SHARED) == SQLITE_BUSY; ++k)
+      sqlite3_sleep(1);
+    if (::access((name + "-shm").c_str(), F_OK) != 0)
+      return true;
+  }
   const int result = sqlite3_exec(connection_, "SELECT 1 FROM sqlite_master", nullptr, nullptr, nullptr);
   return (result & 0xff) == SQLITE_CANTOPEN || (result & 0xff) == SQLITE_READONLY;
 }

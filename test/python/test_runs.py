@@ -10,6 +10,7 @@ import signal
 import sqlite3
 import subprocess
 import sys
+import tempfile
 import threading
 import urllib.parse
 import urllib.request
@@ -372,6 +373,24 @@ def test_a_results_file_may_have_any_name(scene, tmp_path, name):
         table = rs.sweep(scene.replace(duration=0.0, settle=0.0), seeds=2, results=path, progress=False)
         assert len(rs.read_sweep(path)) == len(table) == 2
     assert os.listdir(tmp_path) == [os.fsdecode(name)]
+
+
+def test_a_reader_who_may_not_write_the_file_leaves_nothing_and_sees_a_killed_writers_log(scene):
+    reader = ("import os, sys, pandas, ratchet_sieve as rs; rs.read_sweep; os.getuid() or os.setuid(65534); "
+              "print(len(rs.read_sweep(sys.argv[1])))")
+    writer = ("import os, sqlite3, sys; "
+              "sqlite3.connect(sys.argv[1], isolation_level=None).execute('DELETE FROM cases'); os._exit(0)")
+    with tempfile.TemporaryDirectory() as folder:  # tmp_path is closed to others
+        path = os.path.join(folder, "results.db")
+        rs.sweep(scene.replace(duration=0.0, settle=0.0), seeds=2, results=path, progress=False)
+        os.chmod(folder, 0o777)
+        os.chmod(path, 0o444)
+        assert subprocess.check_output([sys.executable, "-c", reader, path]) == b"2\n"
+        assert os.listdir(folder) == ["results.db"]
+        os.chmod(path, 0o644)
+        subprocess.run([sys.executable, "-c", writer, path], check=True)
+        os.chmod(path, 0o444)
+        assert subprocess.check_output([sys.executable, "-c", reader, path]) == b"0\n"
 
 
 def test_a_wrong_sweep_is_refused_before_any_run(scene, tmp_path):

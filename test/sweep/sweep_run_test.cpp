@@ -46,12 +46,13 @@ protected:
   std::string text(const std::string& query) const { return textOf(results_, query); }
   std::string status(const Sweep& sweep) const { return statusText(sweep, results_); }
 
-  /// What a process says that may write neither the directory nor its files.
-  std::string readElsewhere(const std::function<std::string()>& read) const
+  /// What a process says that may not write the file, nor its directory but with those permissions.
+  std::string readElsewhere(const std::function<std::string()>& read, int directory = 0555) const
   {
     namespace fs = std::filesystem;
     const fs::path place = fs::path(results_).parent_path();
-    fs::permissions(place, fs::perms(0555));
+    fs::permissions(results_, fs::perms(0444));
+    fs::permissions(place, fs::perms(directory));
     int ends[2];
     EXPECT_EQ(pipe(ends), 0);
     const pid_t child = fork();
@@ -76,6 +77,7 @@ protected:
     close(ends[0]);
     waitpid(child, nullptr, 0);
     fs::permissions(place, fs::perms(0755));
+    fs::permissions(results_, fs::perms(0644));
     return text;
   }
 
@@ -395,6 +397,25 @@ TEST_F(SweepRunTest, IsReadWhereNothingCanBeWritten)
   EXPECT_EQ(readElsewhere([&] { return status(sweep); }),
             results_ + ": part of its data is in " + results_ +
                 "-wal, which needs a writable directory: copy both files to one");
+}
+
+/// A reader's files of the log would keep the owner from writing. Those of a writer that was killed are read.
+TEST_F(SweepRunTest, IsReadWithoutATraceByWhomItDoesNotBelongTo)
+{
+  runSweep(load(""), results_, {});
+  const auto read = [&] { return readElsewhere([&] { return text("SELECT status FROM cases"); }, 0777); };
+  EXPECT_EQ(read(), "done");
+  for (const char* part : {"-wal", "-shm"})
+    EXPECT_FALSE(std::filesystem::exists(results_ + part)) << part;
+  const pid_t writer = fork();
+  if (writer == 0)
+  {
+    Database database(results_, Database::Access::WRITE);
+    database.execute("UPDATE cases SET status = 'failed'");
+    _exit(0);
+  }
+  waitpid(writer, nullptr, 0);
+  EXPECT_EQ(read(), "failed");
 }
 
 TEST_F(SweepRunTest, IsAnErrorWhereTheResultsFileIsRemovedMeanwhile)
