@@ -13,6 +13,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from mkdocs.utils import clean_directory
+
 import ratchet_sieve as rs
 
 HERE = Path(__file__).resolve().parent
@@ -156,6 +158,8 @@ def embed_search(site):
 
 
 def main(work, site):
+    if any(site.glob('[!.]*')) and not (site / 'runs/machine_mass.html').exists():
+        sys.exit(f'build_site: {site}: is not empty and holds no site of this script: name another directory')
     shutil.rmtree(work, ignore_errors=True)
     shutil.copytree(HERE, work)
     source = work / 'source'
@@ -165,9 +169,12 @@ def main(work, site):
     shutil.copytree(KATEX, source / 'katex')
     subprocess.run(['doxygen', HERE / 'Doxyfile'], cwd=PACKAGE, check=True,
                    env={**os.environ, 'OUTPUT': str(source / 'reference')})
-    subprocess.run(['mkdocs', 'build', '--config-file', work / 'mkdocs.yml', '--site-dir', site], check=True)
-    (site / '404.html').unlink()  # for servers, with absolute links
-    embed_search(site)
+    subprocess.run(['mkdocs', 'build', '--config-file', work / 'mkdocs.yml'], check=True)
+    built = work / 'site'
+    (built / '404.html').unlink()  # for servers, with absolute links
+    embed_search(built)
+    clean_directory(site)
+    shutil.copytree(built, site, dirs_exist_ok=True)
 
 
 if __name__ == '__main__':

@@ -13,6 +13,7 @@ from urllib.parse import unquote, urlsplit
 
 from commands import PACKAGE
 
+BUILD = PACKAGE / 'scripts/site/build_site.py'
 DOXYGENS = '#nested-classes'  # where all nested classes are private
 ELSEWHERE = re.compile(r'(https?:)?//')
 
@@ -62,10 +63,20 @@ class Site(unittest.TestCase):
 
     def test_the_site_is_whole(self):
         site = self.folder / 'site'
-        subprocess.run([sys.executable, PACKAGE / 'scripts/site/build_site.py', self.folder / 'work', site], check=True)
+        (site / 'runs').mkdir(parents=True)
+        for name in ('runs/machine_mass.html', 'of_an_earlier_site'):
+            (site / name).touch()
+        subprocess.run([sys.executable, BUILD, self.folder / 'work', site], check=True)
         self.assertEqual(sorted(complaints(site)), [])
+        self.assertFalse((site / 'of_an_earlier_site').exists())
         for name in ('index', 'docs/tutorial', 'gallery', 'live', 'reference/python', 'reference/cpp/annotated'):
             self.assertTrue((site / f'{name}.html').exists(), name)
+
+    def test_a_directory_of_something_else_is_refused(self):
+        (self.folder / 'mine').touch()
+        refused = subprocess.run([sys.executable, BUILD, self.folder / 'work', self.folder], stderr=subprocess.PIPE)
+        self.assertIn(b'name another directory', refused.stderr)
+        self.assertTrue((self.folder / 'mine').exists())
 
     def test_what_is_wrong_is_found(self):
         (self.folder / 'a.html').write_text(
