@@ -20,8 +20,11 @@ namespace
 /// The system's Python, which has pandas.
 constexpr const char* PYTHON = "/usr/bin/python3";
 
-/// Says in one line what is missing, as matplotlib, which is recommended only.
-constexpr const char* RUN = "import sys; from ratchet_sieve.recommended import run; run(sys.argv.pop(1))";
+/// Says in one line what is missing, as matplotlib, which is recommended only. Imports nothing of the working
+/// directory: a random.py there is the user's.
+constexpr const char* RUN =
+    "import sys; sys.path[:] = filter(None, sys.path); "
+    "from ratchet_sieve.recommended import run; run(sys.argv.pop(1))";
 
 /// Where Python finds the package, from this program's directory: in the devel and the install space; in a
 /// build tree without ROS.
@@ -41,7 +44,8 @@ std::filesystem::path pythonDirectory()
 int runModule(const std::string& module, std::vector<std::string> arguments)
 {
   const char* others = std::getenv("PYTHONPATH");
-  const std::string path = pythonDirectory().string() + (others != nullptr ? ":" + std::string(others) : "");
+  const std::string path =
+      pythonDirectory().string() + (others != nullptr && *others != '\0' ? ":" + std::string(others) : "");
   arguments.insert(arguments.begin(), {PYTHON, "-c", RUN, module});
   std::vector<char*> argv;
   argv.reserve(arguments.size() + 1);

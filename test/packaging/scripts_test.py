@@ -1,5 +1,5 @@
-"""Scripts in a directory of the user's: what is there stays as it is. They run in a checkout of them alone, in which
-nothing is installed or built."""
+"""Scripts in a directory of the user's: what is there stays as it is, and is not run. They run in a checkout of them
+alone, in which nothing is installed or built."""
 
 import os
 import shutil
@@ -19,7 +19,7 @@ class Scripts(unittest.TestCase):
         self.own = Path(folder.name) / 'own'
         for directory in ('build', 'scripts'):
             (self.checkout / directory).mkdir(parents=True)
-        for name in ('environment.sh', 'package'):
+        for name in ('environment.sh', 'live', 'package'):
             shutil.copy(SCRIPTS / name, self.checkout / 'scripts')
         for name in ('build', 'setup'):
             (self.checkout / 'scripts' / name).symlink_to('/bin/true')
@@ -34,6 +34,14 @@ class Scripts(unittest.TestCase):
             (self.own / name).touch()
         self.assertIn('cpack failed', self.output_of('package', '.'))  # nothing is built
         self.assertEqual(sorted(os.listdir(self.own)), ['mine', 'mine.deb'])
+
+    def test_live_imports_nothing_of_the_users(self):
+        package = self.checkout / 'devel/lib/python3/dist-packages/ratchet_sieve'
+        package.mkdir(parents=True)
+        (package / 'engine.wasm').touch()
+        (package / 'pages.py').write_text('import random; print(random.__name__)')
+        (self.own / 'random.py').write_text('print("the file of the user")')
+        self.assertEqual(self.output_of('live'), 'random\n')
 
 
 if __name__ == '__main__':

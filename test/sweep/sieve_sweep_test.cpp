@@ -326,6 +326,15 @@ TEST_F(SieveSweep, ReportsMeansOverTheSeedsAndTheirErrors)
   EXPECT_EQ(lines, 6);
 }
 
+TEST_F(SieveSweep, ImportsNothingOfTheWorkingDirectory)
+{
+  written(directory_, "random.py", "raise SystemExit('the file of the user')");
+  sweep(SMALL_SCENE + std::string("grid: {gravity: [8, 9]}\n"));
+  const std::string program = "PYTHONPATH= '" + std::string(std::getenv("SIEVE_SWEEP")) + "' ";
+  shell(directory_ / "", program + "run s.yaml 2> /dev/null");
+  shell(directory_ / "", program + "report s.yaml --field events");
+}
+
 /// The scene is in another directory than the sweep, and both are named relative to a third.
 TEST_F(SieveSweep, ReportsACommandLineThatRunsEachCaseAlone)
 {
