@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import contextlib
-import fcntl
 import json
 import os
 import pathlib
@@ -145,14 +144,11 @@ def _read(path: str, query: str, parameters: tuple) -> pandas.DataFrame:
 
     file = pathlib.Path(path).resolve()
     mode = "mode=rw"  # a connection for reading alone would leave an empty log beside the file
+    # Where no log can be made, or where it would keep the file's owner from writing, the log that is there is read.
+    if not (os.access(file.parent, os.W_OK) and os.access(file, os.W_OK)):
+        mode = "mode=ro&readonly_shm=1" if os.path.exists(f"{file}-wal") else "immutable=1"
     try:
-        with contextlib.ExitStack() as opened:
-            if not (os.access(file.parent, os.W_OK) and os.access(file, os.W_OK)):
-                # A log cannot be made, or would keep the file's owner from writing. With SQLite's lock of a reader, a
-                # writer that ends does not remove its own.
-                fcntl.lockf(opened.enter_context(open(file, "rb")), fcntl.LOCK_SH, 510, 0x40000002)
-                mode = "mode=ro&readonly_shm=1" if os.path.exists(f"{file}-wal") else "immutable=1"
-            connection = opened.enter_context(contextlib.closing(sqlite3.connect(f"{file.as_uri()}?{mode}", uri=True)))
+        with contextlib.closing(sqlite3.connect(f"{file.as_uri()}?{mode}", uri=True)) as connection:
             cursor = connection.execute(query, parameters)
             table = pandas.DataFrame.from_records(
                 cursor.fetchall(), columns=[column[0] for column in cursor.description], coerce_float=True)
@@ -166,5 +162,5 @@ def _read(path: str, query: str, parameters: tuple) -> pandas.DataFrame:
         undefined = table.columns[table.isna().all()].drop("error", errors="ignore")
         parts = table.drop(columns=undefined), table[undefined].astype(float)  # column by column takes ten times as long
         return pandas.concat(parts, axis=1)[list(table)].copy()
-    except (OSError, sqlite3.Error) as error:
+    except sqlite3.Error as error:
         raise ResultsError(f"{path}: no results of a sweep: {error}") from error

@@ -31,7 +31,7 @@ constexpr std::size_t LONGEST_REASON = 300;
 
 constexpr std::uint64_t LARGEST_INTEGER = std::numeric_limits<std::int64_t>::max();
 
-std::string unchangingUri(const std::string& path)
+std::string uriOf(const std::string& path, const std::string& option)
 {
   std::string uri = "file://";  // so that a path that begins with // names no host
   char code[4];
@@ -40,7 +40,7 @@ std::string unchangingUri(const std::string& path)
     std::snprintf(code, sizeof code, "%%%02X", c);
     uri += std::isalnum(c) != 0 || c == '/' ? std::string(1, static_cast<char>(c)) : code;
   }
-  return uri + "?immutable=1";
+  return uri + "?" + option;
 }
 
 void bind(sqlite3_stmt* statement, int parameter, const Json& value)
@@ -77,8 +77,13 @@ Database::Database(const std::string& path, Access access) : path_(path)
     lock();
   // An absolute path, because SQLite treats some names specially. A reader without write
   // permission could not remove the files of the write-ahead log.
-  open(fs::absolute(path).string(),
-       SQLITE_OPEN_READWRITE | (access == Access::WRITE ? SQLITE_OPEN_CREATE : 0));
+  const std::string file = fs::absolute(path).string();
+  // A log of one who may not write the file would keep its owner from writing: it is read, and not made.
+  if (access == Access::READ && ::access(file.c_str(), W_OK) != 0)
+    open(uriOf(file, fs::exists(file + "-wal") ? "readonly_shm=1" : "immutable=1"),
+         SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+  else
+    open(file, SQLITE_OPEN_READWRITE | (access == Access::WRITE ? SQLITE_OPEN_CREATE : 0));
   if (access == Access::WRITE)
     return;
   if (needsWritableDirectory())
@@ -109,21 +114,9 @@ void Database::open(const std::string& name, int flags)
   sqlite3_busy_timeout(connection_, BUSY_TIMEOUT);
 }
 
-/// The write-ahead log needs files beside the database, even for a reader. Those of one who may not write the
-/// database would keep its owner from writing: they are read where they are there, and not made.
+/// The write-ahead log needs a file beside the database, even for a reader.
 bool Database::needsWritableDirectory() const
 {
-  const std::string name = sqlite3_db_filename(connection_, "main");
-  if (::access(name.c_str(), W_OK) != 0)
-  {
-    sqlite3_file* file = nullptr;
-    sqlite3_file_control(connection_, "main", SQLITE_FCNTL_FILE_POINTER, &file);
-    // With this lock of a reader, a writer that ends does not remove its own.
-    for (int k = 0; k < BUSY_TIMEOUT && file->pMethods->xLock(file, SQLITE_LOCK_SHARED) == SQLITE_BUSY; ++k)
-      sqlite3_sleep(1);
-    if (::access((name + "-shm").c_str(), F_OK) != 0)
-      return true;
-  }
   const int result = sqlite3_exec(connection_, "SELECT 1 FROM sqlite_master", nullptr, nullptr, nullptr);
   return (result & 0xff) == SQLITE_CANTOPEN || (result & 0xff) == SQLITE_READONLY;
 }
@@ -138,7 +131,7 @@ void Database::openUnchanging()
     throw DatabaseError(path_ + ": part of its data is in " + log +
                         ", which needs a writable directory: copy both files to one");
   sqlite3_close(std::exchange(connection_, nullptr));
-  open(unchangingUri(fs::absolute(path_).string()), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+  open(uriOf(fs::absolute(path_).string(), "immutable=1"), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
 Database::~Database()
