@@ -4,8 +4,10 @@ import json
 import pathlib
 import subprocess
 import sys
+from unittest import mock
 
 import numpy as np
+import optuna
 import pandas
 import pytest
 
@@ -93,12 +95,32 @@ def test_two_processes_search_one_front(tmp_path):
 def test_a_dead_process_is_not_waited_for():
     class Trial:
         def __init__(self, state, age, duration=None):
-            self.state, self.duration = type("State", (), {"name": state}), duration
+            self.state, self.duration, self.user_attrs = type("State", (), {"name": state}), duration, {}
             self.datetime_start = datetime.datetime.now() - datetime.timedelta(seconds=age)
 
-    ended = Trial("COMPLETE", 1000, datetime.timedelta(seconds=100))
-    assert front._under_way([ended, Trial("RUNNING", 10), Trial("RUNNING", 900)]) == 1
-    assert front._under_way([Trial("RUNNING", 900)]) == 1
+    running = [Trial("RUNNING", 10), Trial("RUNNING", 900)]
+    assert front._under_way(running, 1.0) == []
+    assert front._under_way(running, 100.0) == running[:1]
+    assert front._under_way([Trial("COMPLETE", 1000, datetime.timedelta(seconds=100)), *running], 1.0) == running[:1]
+
+
+@pytest.mark.parametrize("end, told", (("interrupted", "FAIL"), ("killed", "RUNNING")))
+def test_a_front_goes_on_after_its_first_settings_were_cut_short(end, told, monkeypatch):
+    call = {"trials": 8, "start": START, "storage": optuna.storages.InMemoryStorage(), "progress": False}
+    with monkeypatch.context() as patch:
+        patch.setattr(front, "_seen", mock.Mock(side_effect=KeyboardInterrupt))
+        if end == "killed":
+            patch.setattr(optuna.Study, "tell", mock.Mock())
+        with pytest.raises(KeyboardInterrupt):
+            rs.front(SCENE, RANGES, **call)
+    study = optuna.load_study(study_name=None, storage=call["storage"])
+    assert [trial.state.name for trial in study.trials] == [told] * 8
+    if end == "killed":
+        monkeypatch.setattr(front, "PATIENCE", 0.0)
+    monkeypatch.setattr(front, "PROMISING", 2)
+    monkeypatch.setattr(front, "RUNS", 3)
+    tried = rs.front(SCENE, RANGES, **call).tried
+    assert len(tried) == 8 and list(tried[THETA]).count(START[0][THETA]) == 1
 
 
 def test_settings_that_are_tried_twice_have_their_own_values():

@@ -30,7 +30,7 @@ PROMISING = 8  # settings that are run with fresh seeds
 RUNS = 6     # of each, to decide, and as many again to report
 TRIED, AGAIN = 1.0, 1.5  # durations of a setting's runs, over the shortest one
 ATTEMPTS = 5  # to open a storage
-PATIENCE, POLL = 5.0, 0.2  # with settings that other processes try: over the longest until then; between looks [s]
+PATIENCE, POLL = 5.0, 0.2  # with settings that other processes try: over the longest batch; between looks [s]
 TRIED_AS = "found"  # what a trial found, among its attributes in Optuna's storage
 
 
@@ -107,13 +107,13 @@ def front(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, trials: i
     options = {"threads": integer("threads", threads), "results": results}
     seed, begin = seed_of(seed), [machine.place(settings) for settings in start]
     with Progress(progress, "front") as bar:
-        study = _study(machine, storage, begin, seed)
+        study = _study(machine, storage, seed)
         places, threads = np.array([[0.25], [0.75]]) * np.ones(len(machine.keys)), threads or os.cpu_count()
         length, second = short_runs(machine, places, seed, threads)
         simulated = length * (TRIED * trials + 2 * AGAIN * RUNS * PROMISING)
         line, bar.announced = cost_text(machine, length, second * simulated, threads)
         bar.say(line)
-        tried = _tried(machine, study, trials, seed, options, bar)
+        tried = _tried(machine, study, trials, begin, seed, TRIED * BATCH * length * second, options, bar)
         promising = _promising(machine, tried)
         if promising.empty:
             raise RuntimeError(f"the machine works nowhere in these ranges: {counted(trials, 'setting')} tried")
@@ -132,7 +132,7 @@ def front(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, trials: i
     return Front(machine, table.sort_values("throughput", ignore_index=True), tried)
 
 
-def _study(machine, storage, start, seed):
+def _study(machine, storage, seed):
     """Optuna's, which processes with the same storage, machine, ranges and goal share."""
     try:
         import optuna
@@ -147,59 +147,67 @@ def _study(machine, storage, start, seed):
     name = f"{machine.scene.hash} {dict(zip(machine.keys, zip(machine.low, machine.high)))} {machine.goal}"
     for left in reversed(range(ATTEMPTS)):
         try:
-            study = optuna.create_study(directions=["maximize", "maximize"], sampler=sampler, storage=storage,
-                                        study_name=name, load_if_exists=True)
-            break
+            return optuna.create_study(directions=["maximize", "maximize"], sampler=sampler, storage=storage,
+                                       study_name=name, load_if_exists=True)
         except Exception:  # of two processes that make a new storage at once one fails, in ways of the database
             if storage is None or not left:
                 raise
             time.sleep(POLL)
-    for place in start:
-        study.enqueue_trial(dict(zip(_names(machine), map(float, place))), skip_if_exists=True)
-    return study
 
 
 def _names(machine):
     return [f"{k}" for k in range(len(machine.keys))]
 
 
-def _tried(machine, study, trials, seed, options, bar):
-    """Optuna's settings, one run each, until there are enough in the study. @return a row for each"""
+def _tried(machine, study, trials, start, seed, batch, options, bar):
+    """Optuna's settings, one run each, until there are enough in the study.
+    @param start places that are tried first. @param batch what BATCH settings take on one core, as a rule [s]
+    @return a row for each setting"""
     from optuna.trial import TrialState
 
+    start = [dict(zip(_names(machine), map(float, place))) for place in start]
     while True:
         known = study.get_trials(deepcopy=False)
         found = [trial for trial in known if TRIED_AS in trial.user_attrs]
-        under_way = _under_way(known)
-        room = min(BATCH, trials - len(found) - under_way)
+        under_way = _under_way(known, batch)
+        room = min(BATCH, trials - len(found) - len(under_way))
+        part, text = 0.8 * (len(found) + 0.5) / trials, f"{counted(len(found), 'setting')} of {trials}"
         if room <= 0 and under_way:
+            bar.show(part, f"{text}; other processes try {len(under_way)}")
             time.sleep(POLL)
             continue
         if room <= 0:
             found = found[:trials]  # two processes that asked at once have tried more
             return pandas.DataFrame([trial.user_attrs[TRIED_AS] for trial in found]).astype(
                 {name: float for name in ("value", "throughput", "processed")})
-        asked = [study.ask() for _ in range(room)]
-        places = np.array([[trial.suggest_float(name, 0.0, 1.0) for name in _names(machine)] for trial in asked])
+        waiting = [trial for trial in known if trial.state == TrialState.WAITING]
+        held = [trial.system_attrs.get("fixed_params") for trial in found + under_way + waiting]
+        for settings in start:
+            if settings not in held:  # also where the process that was to try it has ended
+                study.enqueue_trial(settings)
         values = [trial.values[0] for trial in found if trial.values]
-        text = f", best {max(values):.3g}" if values else ""
-        rows = _seen(machine, places, TRIED, (seed, 1), options, lambda done: bar.show(
-            0.8 * (len(found) + 0.5) / trials, f"{counted(len(found), 'setting')} of {trials}{text}; {done}"))
-        for trial, row in zip(asked, rows.astype(object).where(rows.notna(), None).to_dict("records")):
-            row["value"] = None if row["value"] is None else _height(machine, row["value"])
-            trial.set_user_attr(TRIED_AS, row)
-            if row["value"] is None:
-                study.tell(trial, state=TrialState.FAIL)
-            else:
-                study.tell(trial, (row["value"], row["throughput"]))
+        text += f", best {max(values):.3g}" if values else ""
+        asked = []
+        try:
+            while len(asked) < room:
+                asked.append(study.ask())
+            places = np.array([[trial.suggest_float(name, 0.0, 1.0) for name in _names(machine)] for trial in asked])
+            rows = _seen(machine, places, TRIED, (seed, 1), options, lambda done: bar.show(part, f"{text}; {done}"))
+            for trial, row in zip(asked, rows.astype(object).where(rows.notna(), None).to_dict("records")):
+                row["value"] = None if row["value"] is None else _height(machine, row["value"])
+                trial.set_user_attr(TRIED_AS, row)
+                if row["value"] is not None:
+                    study.tell(trial, (row["value"], row["throughput"]))
+        finally:  # the machine does not work there, or the call was interrupted
+            for trial in asked:
+                study.tell(trial, state=TrialState.FAIL, skip_if_finished=True)
 
 
-def _under_way(trials):
-    """How many other processes try. One that takes much longer than any has taken is taken for dead."""
-    longest = max((trial.duration for trial in trials if trial.duration), default=None)
-    running = [trial for trial in trials if trial.state.name == "RUNNING"]
-    now = datetime.datetime.now()
-    return sum(longest is None or now - trial.datetime_start < PATIENCE * longest for trial in running)
+def _under_way(trials, batch):
+    """Those that other processes try. One that takes much longer than any has taken, or is to, is taken for dead."""
+    longest = max([datetime.timedelta(seconds=batch), *(trial.duration for trial in trials if trial.duration)])
+    running = [trial for trial in trials if trial.state.name == "RUNNING" and TRIED_AS not in trial.user_attrs]
+    return [trial for trial in running if datetime.datetime.now() - trial.datetime_start < PATIENCE * longest]
 
 
 def _seen(machine, places, duration, seeds, options, show=lambda done: None):
