@@ -1,10 +1,13 @@
 """separate(): the surface, the search, and what it answers."""
+import contextlib
 import dataclasses
 import json
 import os
 import pathlib
 import re
 import shutil
+import signal
+import sqlite3
 import subprocess
 import sys
 
@@ -576,6 +579,38 @@ def closed_pipe():
     end, other = os.pipe()
     os.close(end)
     return os.fdopen(other, "w")
+
+
+SIGNALLED = """
+import os, sys
+from ratchet_sieve.answers import final
+from ratchet_sieve.answers.machine import Machine
+from ratchet_sieve.recommended import run
+
+whole, budgets, number = Machine.run, [], int(sys.argv.pop(1))
+
+def signalled(*arguments, **options):
+    budgets.append(options.pop("budget"))
+    if len(budgets) > 3:  # in the search; once more in the fresh runs
+        options["progress"] = lambda *_: os.kill(os.getpid(), number)
+    assert len(budgets) < 5 or budgets[-1] <= final.AFTER_INTERRUPT
+    return whole(*arguments, **options)
+
+Machine.run, final.OF_INTERRUPTED = signalled, 1e9
+run("ratchet_sieve.answers", "sieve_separate")
+"""
+
+
+@pytest.mark.parametrize("number", (signal.SIGTERM, signal.SIGHUP))
+def test_the_program_answers_at_a_signal_when_standard_error_is_gone(number, tmp_path):
+    (tmp_path / "feeder.yaml").write_text(rs.Scene(SCENE).yaml, encoding="utf-8")
+    ran = subprocess.run([sys.executable, "-c", SIGNALLED, str(int(number)), "feeder.yaml", "--over", f"{THETA}=0:0.4",
+                          "--json", "answer.json"], cwd=tmp_path, stdout=subprocess.DEVNULL, stderr=closed_pipe(),
+                         preexec_fn=lambda: signal.signal(number, signal.SIG_DFL))  # also under nohup
+    assert ran.returncode == 0
+    assert json.loads((tmp_path / "answer.json").read_text(encoding="utf-8"))["separation"]["count"] > 1
+    with contextlib.closing(sqlite3.connect(tmp_path / "feeder.separate.db")) as kept:
+        assert kept.execute("SELECT COUNT(*) FROM under_way").fetchone() == (0,)
 
 
 @pytest.mark.parametrize("name", ("a.html", "a.json", "a.csv", "a.png"))

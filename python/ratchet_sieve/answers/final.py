@@ -56,10 +56,12 @@ def answer_of(search, budget, bar):
         if len(fresh.rows) and not search.is_late():
             floor = _floor(search, fresh.rows)
             known = _known(search, fresh.rows)
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as signalled:
         late = False
         notes.append(INTERRUPTED)
-        _interrupted(search, bar, fresh, clocks[0])
+        # It names a signal other than Ctrl-C, whose sender kills what does not end soon.
+        so_far = 0.0 if signalled.args else time.monotonic() - clocks[0]
+        _interrupted(search, bar, fresh, max(AFTER_INTERRUPT, OF_INTERRUPTED * so_far))
     left = float(search.may.max())
     if left > search.within and not search.nowhere() and INTERRUPTED not in notes:
         notes.append(f"the {'budget' if late else 'limit of runs'} ended the search: another setting "
@@ -69,15 +71,14 @@ def answer_of(search, budget, bar):
     return answer
 
 
-def _interrupted(search, bar, fresh, begin):
+def _interrupted(search, bar, fresh, seconds):
     """One short round of fresh runs, which a second interrupt ends. Raises KeyboardInterrupt where nothing is known."""
     search.is_cut_short = True
     if not search.assess(best=search.best if len(fresh.rows) else None):
         raise KeyboardInterrupt
     if len(fresh.rows) >= FRESH:
         return
-    now = time.monotonic()
-    search.deadline = now + max(AFTER_INTERRUPT, OF_INTERRUPTED * (now - begin))
+    search.deadline = time.monotonic() + seconds
     bar.show(0.9, "interrupted: the best with fresh seeds; again ends at once")
     try:
         _fresh_runs(search, bar, fresh, [])
