@@ -1,12 +1,14 @@
 #include "python_plots.h"
 
 #include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
 
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,13 +56,17 @@ int runModule(const std::string& module, std::vector<std::string> arguments)
   argv.push_back(nullptr);
   setenv("PYTHONPATH", path.c_str(), 1);
   setenv("PYTHONIOENCODING", ":surrogateescape", 1);  // paths are printed byte by byte
-  pid_t child = 0;
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    prctl(PR_SET_PDEATHSIG, SIGTERM);  // it ends with this program, whatever ends that
+    execv(PYTHON, argv.data());
+    std::perror(PYTHON);
+    _exit(FAILED);
+  }
   int status = 0;
-  int error = posix_spawn(&child, PYTHON, nullptr, nullptr, argv.data(), environ);
-  if (error == 0 && waitpid(child, &status, 0) < 0)
-    error = errno;
-  if (error != 0)
-    throw std::runtime_error(module + ": cannot be run: " + std::strerror(error));
+  if (child < 0 || waitpid(child, &status, 0) < 0)
+    throw std::runtime_error(module + ": cannot be run: " + std::strerror(errno));
   return status;
 }
 

@@ -458,6 +458,25 @@ TEST_F(SieveSweep, ChecksTheFloorOfTheBestSetting)
   EXPECT_EQ(output().rfind("6 cases: 6 done, 0 failed, 0 under way, 0 to go\n", 0), 0u) << output();
 }
 
+/// Its Python runs the cases.
+TEST_F(SieveSweep, KilledAsItChecksTheFloorItStopsTheCases)
+{
+  const std::string results = directory_ / "s.db";
+  const std::string file = sweep(SMALL_SCENE + std::string("grid: {base.inclination: [0.1, 0.2]}\n"
+                                                           "set: {duration: 2000, feed.rate: 20}\n"));
+  ASSERT_EQ(run({"run", file}), 0) << errors();
+  const pid_t child = start({"report", file, "--check-floor"});
+  const auto under_way = [&] { return textOf(results, "SELECT COUNT(*) FROM under_way"); };
+  while (under_way() == "0" && waitpid(child, nullptr, WNOHANG) == 0)
+    usleep(1000);
+  kill(child, SIGKILL);
+  EXPECT_EQ(end(child), -SIGKILL) << errors();
+  while (LockedFile::isLocked(results))
+    usleep(1000);
+  EXPECT_EQ(tableOf(results).size(), 2u);
+  EXPECT_EQ(under_way(), "0");
+}
+
 TEST_F(SieveSweep, WarnsBeforeItRunsAndCountsWarningsAfterIt)
 {
   const std::string file =
