@@ -47,7 +47,7 @@ def tends_to_one(density, line):
     """A check that a line in 1 / teeth ends near 1; undecided where it does not fit."""
     near = verdicts.within("", line.intercept, 1.0 - NEAR, 1.0 + NEAR)
     fits = line.probability() >= LEVEL
-    told = f"Q(∞) = {line.intercept.text()}, p = {line.probability():.2g}{'' if fits else ', which is no line'}"
+    told = f"Q(∞) = {line.intercept.text()}, p = {line.probability():.2g}{'' if fits else ', no line'}"
     return verdicts.Check(f"d = {density:g}: a line in 1 / teeth has |Q(∞) − 1| < {NEAR:g}", told,
                           near.passes if fits else None, part=f"to 1 at d = {density:g}")
 

@@ -52,7 +52,7 @@ def turns_afresh(floor, fresh):
     """A check by fresh seeds that the current of a thin layer and of a thicker one have opposite signs."""
     says = f"the current reverses as the layer is made thicker (e = 0.85, 22 Hz) at v_min = {floor:g} m/s"
     told = ", ".join(f"{verdicts.speed(mean)} at d = {d:g}" for d, mean in fresh.items())
-    return verdicts.Check(says, told, verdicts.opposite(*fresh.values()), part=f"it reverses at v_min = {floor:g} m/s")
+    return verdicts.Check(says, told, verdicts.opposite(*fresh.values()), part="it reverses")
 
 
 def largest_step(rows, seeds):
