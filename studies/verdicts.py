@@ -129,5 +129,6 @@ class Claim:
         for check in self.checks:
             parts.setdefault(check.outcome(), []).append(check.part or check.says)
         if len(parts) > 1:
-            return "; ".join(f"{outcome}: {', '.join(dict.fromkeys(parts[outcome]))}" for outcome in ORDER if outcome in parts)
+            return "; ".join(f"{outcome}: {', '.join(dict.fromkeys(parts[outcome]))}"
+                             for outcome in ORDER if outcome in parts)
         return next(iter(parts), UNDECIDED)
