@@ -9,6 +9,7 @@ import warnings
 
 import pytest
 
+import feeder
 import ratchet_sieve as rs
 
 SCENE = """
@@ -37,6 +38,17 @@ def scene():
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", rs.SieveWarning)
         return rs.Scene(SCENE)
+
+
+@pytest.fixture(scope="session")
+def runs(tmp_path_factory):
+    """The file that keeps the answer's runs."""
+    return tmp_path_factory.mktemp("answer") / "runs.db"
+
+
+@pytest.fixture(scope="session")
+def answer(runs):
+    return rs.separate(feeder.SCENE, {feeder.THETA: (0.0, 0.4)}, within=0.06, results=runs)
 
 
 @pytest.fixture
